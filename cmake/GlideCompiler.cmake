@@ -1,0 +1,34 @@
+# Flags that every target of the project shares, as the interface target glide_flags.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+# Asserts stay on in every preset; Eigen's own range checks are paid for in debug builds only.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+
+find_program(GLIDE_CCACHE ccache)
+if(GLIDE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+      ${GLIDE_CCACHE})
+endif()
+
+add_library(glide_flags INTERFACE)
+target_compile_options(glide_flags INTERFACE -Wall -Wextra -Wconversion -Wshadow
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> $<$<CXX_COMPILER_ID:Clang>:-Wno-missing-braces>)
+if(GLIDE_WERROR)
+  target_compile_options(glide_flags INTERFACE -Werror)
+endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  target_compile_definitions(glide_flags INTERFACE EIGEN_NO_DEBUG)
+endif()
+if(GLIDE_SANITIZE)
+  target_compile_options(glide_flags INTERFACE -fsanitize=${GLIDE_SANITIZE} -fno-omit-frame-pointer -g1)
+  target_link_options(glide_flags INTERFACE -fsanitize=${GLIDE_SANITIZE})
+endif()

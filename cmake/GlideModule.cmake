@@ -1,0 +1,34 @@
+# glide_module(NAME LINKS ... PRIVATE ...): the static library glide_NAME of all sources in core/NAME.
+# Layers (docs/architecture.md) are checked by desktop-test/check_layers.py, not here.
+function(glide_module name)
+  cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_library(glide_${name} STATIC ${sources})
+  target_include_directories(glide_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/core> $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/core/include>)
+  target_link_libraries(glide_${name} PUBLIC glide_flags ${ARG_LINKS} PRIVATE ${ARG_PRIVATE})
+  if(GLIDE_PCH)
+    target_precompile_headers(glide_${name} REUSE_FROM glide_pch)
+  endif()
+endfunction()
+
+# glide_tests(NAME LINKS ...): the test program NAME_test of all *_test.cpp in this folder's NAME, one
+# ctest entry per test program.
+function(glide_tests name)
+  cmake_parse_arguments(ARG "" "" "LINKS;LABELS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name}_test ${sources})
+  target_link_libraries(${name}_test PRIVATE glide_test_support ${ARG_LINKS} GTest::gmock GTest::gtest_main)
+  if(GLIDE_PCH)
+    target_precompile_headers(${name}_test REUSE_FROM glide_pch)
+  endif()
+  add_test(NAME ${name}_test COMMAND ${name}_test)
+  set_tests_properties(${name}_test PROPERTIES LABELS "${ARG_LABELS}"
+    ENVIRONMENT "GLIDE_SOURCE_DIR=${CMAKE_SOURCE_DIR}")
+endfunction()

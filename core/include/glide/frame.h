@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "glide/types.h"
+
+namespace glide {
+
+/// An 8-bit gray image that the caller owns; read only during Session::update.
+struct Luma {
+  const std::uint8_t* pixels = nullptr;
+  int width = 0;           ///< px
+  int height = 0;          ///< px
+  std::ptrdiff_t stride = 0;  ///< bytes from one row to the next, at least width
+};
+
+/// One camera frame.
+struct FrameInput {
+  std::int64_t t_ns = 0;  ///< nanoseconds in the camera's clock, strictly increasing
+  Luma image;
+};
+
+/// How far the start of a map has come.
+struct InitializationProgress {
+  InitializationStatus status = InitializationStatus::waiting_for_image;
+  int matches = 0;            ///< with the first view
+  double parallax_deg = 0.0;  ///< median parallax of the matches, degrees
+  int landmarks = 0;          ///< that the best two-view solution would triangulate
+};
+
+/// What a frame cost and saw. Times are wall clock milliseconds; zero where a stage did not run.
+struct FrameStats {
+  double update_ms = 0.0;   ///< the tracking call alone
+  double mapping_ms = 0.0;  ///< mapping done inside update() (Execution::inline_ only)
+  double pyramid_ms = 0.0, precompute_ms = 0.0, align_ms = 0.0;  ///< direct tracker
+  double features_ms = 0.0, match_ms = 0.0, pose_ms = 0.0;       ///< indirect tracker
+  int visible = 0;    ///< landmarks of the tracker that lie in the image
+  int inliers = 0;    ///< of these, the ones that agree with the pose
+  double rms = 0.0;   ///< direct: robust patch error, grey levels; indirect: reprojection error, px
+  bool keyframe = false;  ///< this frame was handed to the mapper
+};
+
+/// The answer to one frame.
+struct FrameResult {
+  std::int64_t t_ns = 0;
+  TrackingState state = TrackingState::initializing;
+  TrackerKind tracker = TrackerKind::none;
+  SwitchReason switch_reason = SwitchReason::none;
+  /// Camera in world. Meaningful while state is tracking; else the last known pose. The world is the
+  /// first keyframe's camera frame (x right, y down, z forward), its unit arbitrary.
+  Pose T_world_cam;
+  /// The same pose relative to a keyframe of the map: it stays right when the map is corrected.
+  std::uint64_t reference_keyframe = 0;
+  Pose T_ref_cam;
+  double confidence = 0.0;  ///< 0..1, share of agreeing landmarks, 0 unless tracking
+  std::uint64_t map_revision = 0;
+  InitializationProgress initialization;
+  FrameStats stats;
+};
+
+}  // namespace glide

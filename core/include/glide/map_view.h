@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "glide/types.h"
+
+namespace glide {
+
+/// A value copy of the map at one revision, for viewers and files.
+struct MapView {
+  struct Keyframe {
+    std::uint64_t id = 0;
+    std::int64_t t_ns = 0;
+    Pose T_world_cam;
+    bool retired = false;  ///< Culled from the map; kept so that poses relative to it stay defined.
+  };
+  struct Landmark {
+    std::uint64_t id = 0;
+    std::array<double, 3> p_world{};
+    int observations = 0;
+  };
+  std::uint64_t revision = 0;
+  std::uint64_t resets = 0;          ///< How often the map was started over.
+  std::vector<Keyframe> keyframes;   ///< by ascending id
+  std::vector<Landmark> landmarks;   ///< by ascending id
+};
+
+}  // namespace glide

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/ids.h"
+#include "feature/feature_set.h"
+#include "geometry/lie.h"
+
+namespace glide {
+
+/// A frame of the map. Its measurements are immutable and shared; pose and links are the map's.
+struct Keyframe {
+  KeyframeId id;
+  std::int64_t t_ns = 0;
+  SE3d T_cam_world;
+  std::shared_ptr<const FeatureSet> features;
+  std::vector<LandmarkId> landmarks;  ///< per feature, kNoLandmark where none
+};
+
+/// A culled keyframe: kept as a pose relative to one that lives, so that poses given relative to it
+/// stay defined.
+struct RetiredKeyframe {
+  KeyframeId id;
+  std::int64_t t_ns = 0;
+  KeyframeId parent;  ///< may itself be retired later
+  SE3d T_cam_parent;
+};
+
+}  // namespace glide
