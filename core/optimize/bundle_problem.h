@@ -1,10 +1,10 @@
 #pragma once
 
-#include <atomic>
-#include <vector>
-
 #include "geometry/camera_model.h"
 #include "geometry/lie.h"
+
+#include <atomic>
+#include <vector>
 
 namespace glide {
 
@@ -42,7 +42,10 @@ struct BundleSummary {
   bool cancelled = false;  ///< poses and points are a valid intermediate state
 };
 
-/// Minimises the robust reprojection error with Ceres (analytic Jacobians, Schur complement, one thread).
-BundleSummary solveBundle(const CameraModel& camera, const BundleOptions& options, BundleProblem* problem);
+/// Minimises the robust reprojection error with Ceres (analytic Jacobians, Schur complement, one
+/// thread).
+BundleSummary solveBundle(const CameraModel& camera,
+                          const BundleOptions& options,
+                          BundleProblem* problem);
 
 }  // namespace glide
