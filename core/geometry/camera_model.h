@@ -1,11 +1,12 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "geometry/eigen_types.h"
+
 #include "glide/result.h"
 #include "glide/types.h"
+
+#include <array>
+#include <optional>
 
 namespace glide {
 
@@ -15,9 +16,9 @@ struct Projection {
   Mat23d J_uv_point;
 };
 
-/// Projection of one camera: pinhole, radial-tangential (4 or 5) or Kannala-Brandt 4. Immutable value.
-/// Pixel (0,0) is the centre of the first pixel. Formulas and the reference of each model stand in
-/// camera_model.cpp.
+/// Projection of one camera: pinhole, radial-tangential (4 or 5) or Kannala-Brandt 4. Immutable
+/// value. Pixel (0,0) is the centre of the first pixel. Formulas and the reference of each model
+/// stand in camera_model.cpp.
 class CameraModel {
  public:
   /// invalid_argument naming the field when sizes, focal lengths or coefficient counts are wrong.
@@ -51,11 +52,13 @@ class CameraModel {
   /// k1, k2, p1, p2, k3 or k1..k4, zero; unused entries are zero.
   const std::array<double, 5>& coefficients() const { return k_; }
   /// Radial-tangential: largest x^2+y^2 (normalised) that is projected. Kannala-Brandt: largest
-  /// angle in radians. Infinity where there is no limit.
+  /// angle in radians, pi where there is no limit. Infinity for the others where there is none.
   double maxRadius() const { return max_radius_; }
 
  private:
   CameraModel() = default;
+  std::optional<Projection> projectKannalaBrandt(const Vec3d& p_cam) const;
+
   DistortionModel distortion_ = DistortionModel::none;
   int width_ = 0, height_ = 0;
   double fx_ = 0.0, fy_ = 0.0, cx_ = 0.0, cy_ = 0.0;

@@ -13,7 +13,8 @@ Vec3d so3Log(const Eigen::Quaterniond& q);
 
 /// Rigid transform. Named T_a_b: maps points of frame b into frame a.
 /// Twists are (translation, rotation). Unless a function says otherwise perturbations act on the
-/// left, T <- exp(delta) * T; the photometric aligner's inverse-compositional update acts on the right.
+/// left, T <- exp(delta) * T; the photometric aligner's inverse-compositional update acts on the
+/// right.
 struct SE3d {
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();  ///< unit
   Vec3d t = Vec3d::Zero();
@@ -29,7 +30,7 @@ struct SE3d {
 
 /// Compositions keep the quaternion normalised.
 SE3d operator*(const SE3d& T_a_b, const SE3d& T_b_c);
-Vec3d operator*(const SE3d& T_a_b, const Vec3d& p_b);
+inline Vec3d operator*(const SE3d& T_a_b, const Vec3d& p_b) { return T_a_b.q * p_b + T_a_b.t; }
 
 /// Similarity transform p_a = s * R * p_b + t. Tangent is (translation, rotation, log scale).
 struct Sim3d {

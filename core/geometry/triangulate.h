@@ -1,13 +1,15 @@
 #pragma once
 
-#include <optional>
-
 #include "geometry/lie.h"
+
+#include <optional>
 
 namespace glide {
 
-/// Point in frame a from two unit bearings; linear (two-ray least squares in the projective sense),
-/// nothing when the rays are parallel or the point lies behind either camera.
+/// Point in frame a from two unit bearings: both are turned by the smallest angles (least squares
+/// of their sines; the L2 method of Lee and Civera, "Closed-Form Optimal Two-View Triangulation
+/// Based on Angular Errors", ICCV 2019) until they meet. Nothing when the rays are parallel, when
+/// the point lies behind either camera along its ray, or when there is no baseline.
 std::optional<Vec3d> triangulate(const SE3d& T_b_a, const Vec3d& bearing_a, const Vec3d& bearing_b);
 
 /// Angle at which a point is seen from two camera centres, radians.
