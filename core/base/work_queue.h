@@ -52,6 +52,12 @@ class WorkQueue {
     idle_.wait(lock, [&] { return closed_ || pending_ == 0; });
   }
 
+  /// Everything pushed so far is done.
+  bool isIdle() const {
+    const std::lock_guard lock(mutex_);
+    return pending_ == 0;
+  }
+
   /// Items that wait; the one being worked on does not count.
   std::size_t size() const {
     const std::lock_guard lock(mutex_);

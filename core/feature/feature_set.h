@@ -1,11 +1,11 @@
 #pragma once
 
+#include "geometry/eigen_types.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "geometry/eigen_types.h"
 
 namespace glide {
 
@@ -18,9 +18,9 @@ int descriptorDistance(const Descriptor& a, const Descriptor& b);
 /// A corner in level-0 pixels of the distorted image.
 struct Feature {
   Vec2f uv;
-  float angle = 0.0F;     ///< radians, orientation by intensity centroid
-  float response = 0.0F;  ///< corner score
-  std::uint8_t level = 0; ///< scale level of the extractor
+  float angle = 0.0F;      ///< radians, orientation by intensity centroid
+  float response = 0.0F;   ///< corner score
+  std::uint8_t level = 0;  ///< scale level of the extractor
 };
 
 /// The features of one frame with a grid for radius queries. Immutable once built; shared between
@@ -29,7 +29,10 @@ class FeatureSet {
  public:
   FeatureSet() = default;
   /// `features` and `descriptors` have the same length; width and height are the image's, px.
-  FeatureSet(std::vector<Feature> features, std::vector<Descriptor> descriptors, int width, int height);
+  FeatureSet(std::vector<Feature> features,
+             std::vector<Descriptor> descriptors,
+             int width,
+             int height);
 
   std::size_t size() const { return features_.size(); }
   const std::vector<Feature>& features() const { return features_; }
@@ -51,8 +54,8 @@ class FeatureSet {
   std::vector<Feature> features_;
   std::vector<Descriptor> descriptors_;
   int columns_ = 0, rows_ = 0;
-  std::vector<int> cell_start_;   ///< prefix sums, columns_ * rows_ + 1
-  std::vector<int> cell_items_;   ///< feature indices by cell
+  std::vector<int> cell_start_;  ///< prefix sums, columns_ * rows_ + 1
+  std::vector<int> cell_items_;  ///< feature indices by cell
 };
 
 }  // namespace glide

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <memory>
-
 #include "feature/feature_set.h"
-#include "glide/config.h"
+
 #include "image/image.h"
+
+#include "glide/config.h"
+
+#include <memory>
 
 namespace glide {
 

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "feature/feature_set.h"
+
+#include "base/ids.h"
+#include "geometry/lie.h"
+
 #include <cstdint>
 #include <memory>
 #include <vector>
-
-#include "base/ids.h"
-#include "feature/feature_set.h"
-#include "geometry/lie.h"
 
 namespace glide {
 

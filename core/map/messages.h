@@ -1,13 +1,14 @@
 #pragma once
 
+#include "feature/feature_set.h"
+
+#include "base/ids.h"
+#include "geometry/lie.h"
+
 #include <cstdint>
 #include <memory>
 #include <variant>
 #include <vector>
-
-#include "base/ids.h"
-#include "feature/feature_set.h"
-#include "geometry/lie.h"
 
 namespace glide {
 
@@ -35,8 +36,8 @@ struct InitialMap {
   std::vector<Point> points;
 };
 
-/// A tracked frame that becomes a keyframe. The pose is relative to a keyframe of the map; ids of keyframes are
-/// given by the tracker, ascending.
+/// A tracked frame that becomes a keyframe. The pose is relative to a keyframe of the map; ids of
+/// keyframes are given by the tracker, ascending.
 struct NewKeyframe {
   KeyframeId id;
   std::int64_t t_ns = 0;

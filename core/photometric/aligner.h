@@ -1,16 +1,18 @@
 #pragma once
 
-#include <span>
+#include "photometric/align_types.h"
+
+#include "image/image.h"
 
 #include "glide/config.h"
-#include "image/image.h"
-#include "photometric/align_types.h"
+
+#include <span>
 
 namespace glide {
 
-/// The direct tracker's engine: holds the pyramid of the current frame and the cache of one reference.
-/// Two implementations: CpuAligner and GpuAligner; the CPU one is the oracle of the GPU one. One owner,
-/// one thread (the GL thread for the GPU).
+/// The direct tracker's engine: holds the pyramid of the current frame and the cache of one
+/// reference. Two implementations: CpuAligner and GpuAligner; the CPU one is the oracle of the GPU
+/// one. One owner, one thread (the GL thread for the GPU).
 class Aligner {
  public:
   virtual ~Aligner() = default;

@@ -48,28 +48,28 @@ struct Config {
     int max_iterations = 10;  ///< per level, 1..50
     PhotometricModel photometric = PhotometricModel::gain_bias;
     HessianMode hessian = HessianMode::robust;
-    double huber_factor = 1.5;    ///< Huber threshold over the mean patch RMS, 0.5..10
-    double huber_floor = 3.0;     ///< grey levels; the threshold is never lower, 0.1..100
-    double convergence = 1e-5;    ///< norm of the twist (scene units, radians), 1e-9..1e-1
-    int min_points = 15;          ///< fewer visible points make a solve invalid, 6..1000
-    int max_points = 400;         ///< points per reference, 15..4096
-    int max_direct_frames = 12;   ///< frames per reference, 1..1000
-    double max_rms = 25.0;        ///< grey levels, switching threshold of the patch error, 1..255
+    double huber_factor = 1.5;      ///< Huber threshold over the mean patch RMS, 0.5..10
+    double huber_floor = 3.0;       ///< grey levels; the threshold is never lower, 0.1..100
+    double convergence = 1e-5;      ///< norm of the twist (scene units, radians), 1e-9..1e-1
+    int min_points = 15;            ///< fewer visible points make a solve invalid, 6..1000
+    int max_points = 400;           ///< points per reference, 15..4096
+    int max_direct_frames = 12;     ///< frames per reference, 1..1000
+    double max_rms = 25.0;          ///< grey levels, switching threshold of the patch error, 1..255
     double max_rms_contrast = 1.0;  ///< patch error over the reference's own contrast, 0.05..10
-    double max_baseline = 0.12;   ///< translation over median depth, 0.001..10
-    double max_rotation_deg = 15.0;     ///< degrees, 0.1..180
-    double min_visible_ratio = 0.6;     ///< share of the reference's points, 0..1
-    double min_inlier_ratio = 0.5;      ///< share of the visible points within Huber, 0..1
+    double max_baseline = 0.12;     ///< translation over median depth, 0.001..10
+    double max_rotation_deg = 15.0;  ///< degrees, 0.1..180
+    double min_visible_ratio = 0.6;  ///< share of the reference's points, 0..1
+    double min_inlier_ratio = 0.5;   ///< share of the visible points within Huber, 0..1
   } direct;
 
   /// FAST corners with steered binary descriptors.
   struct Features {
-    int count = 1000;              ///< features per frame while tracking, 100..10000
+    int count = 1000;                 ///< features per frame while tracking, 100..10000
     int initialization_count = 2000;  ///< features per frame while initialising, 100..10000
-    int levels = 8;                ///< scale levels, 1..12
-    double scale_factor = 1.2;     ///< between levels, 1.05..2
-    int fast_threshold = 20;       ///< grey levels, first try per cell, 2..255
-    int fast_threshold_low = 7;    ///< grey levels, second try per cell, 1..255
+    int levels = 8;                   ///< scale levels, 1..12
+    double scale_factor = 1.2;        ///< between levels, 1.05..2
+    int fast_threshold = 20;          ///< grey levels, first try per cell, 2..255
+    int fast_threshold_low = 7;       ///< grey levels, second try per cell, 1..255
   } features;
 
   /// Two-view start.
@@ -78,37 +78,38 @@ struct Config {
     int min_landmarks = 50;         ///< triangulated with parallax, 10..10000
     double min_parallax_deg = 1.0;  ///< degrees, 0.1..30
     double sigma_px = 1.0;          ///< px, image noise, 0.1..10
-    double median_depth = 1.0;      ///< scene units given to the first map's median depth, 1e-3..1e3
-    int max_reference_age = 60;     ///< frames before the first view is replaced, 2..10000
+    double median_depth = 1.0;   ///< scene units given to the first map's median depth, 1e-3..1e3
+    int max_reference_age = 60;  ///< frames before the first view is replaced, 2..10000
   } initialization;
 
   /// Feature tracking against the map.
   struct Indirect {
-    int min_inliers = 25;         ///< fewer matched landmarks make the frame lost, 6..1000
-    double search_radius_px = 7.0;   ///< px at level 0, 1..100
-    int max_descriptor_distance = 64;   ///< bits of 256, 1..256
-    double ratio = 0.85;          ///< best over second-best descriptor distance, 0.1..1
-    int max_local_landmarks = 2500;  ///< landmarks projected per frame, 100..100000
+    int min_inliers = 25;              ///< fewer matched landmarks make the frame lost, 6..1000
+    double search_radius_px = 7.0;     ///< px at level 0, 1..100
+    int max_descriptor_distance = 64;  ///< bits of 256, 1..256
+    double ratio = 0.85;               ///< best over second-best descriptor distance, 0.1..1
+    int max_local_landmarks = 2500;    ///< landmarks projected per frame, 100..100000
   } indirect;
 
   /// When an indirect frame becomes a keyframe.
   struct Keyframes {
-    int min_interval = 3;         ///< frames since the last keyframe, 0..1000
-    int max_interval = 30;        ///< frames; then any useful frame is taken, 1..100000
-    double min_tracked_ratio = 0.8;   ///< matched landmarks over the reference keyframe's, 0..1
-    double min_baseline = 0.04;   ///< translation over median depth, 0..10
-    int min_tracked = 50;         ///< matched landmarks; below this a keyframe is urgent, 0..10000
+    int min_interval = 3;            ///< frames since the last keyframe, 0..1000
+    int max_interval = 30;           ///< frames; then any useful frame is taken, 1..100000
+    double min_tracked_ratio = 0.8;  ///< matched landmarks over the reference keyframe's, 0..1
+    double min_baseline = 0.04;      ///< translation over median depth, 0..10
+    int min_tracked = 50;  ///< matched landmarks; below this a keyframe is urgent, 0..10000
   } keyframes;
 
   /// Map maintenance.
   struct Mapping {
-    int neighbors = 12;               ///< covisible keyframes searched for new landmarks, 1..100
-    int local_keyframes = 20;         ///< keyframes optimised by local BA, 2..200
-    int min_covisibility = 15;        ///< shared landmarks that make two keyframes neighbours, 1..1000
-    double min_parallax_deg = 1.0;    ///< degrees, for a new landmark, 0.05..30
-    double redundant_ratio = 0.9;     ///< share of landmarks seen elsewhere that culls a keyframe, 0.1..1
-    int ba_iterations = 10;           ///< per local BA, 1..200
-    int queue_capacity = 3;           ///< keyframes waiting for the mapper, 1..100
+    int neighbors = 12;         ///< covisible keyframes searched for new landmarks, 1..100
+    int local_keyframes = 20;   ///< keyframes optimised by local BA, 2..200
+    int min_covisibility = 15;  ///< shared landmarks that make two keyframes neighbours, 1..1000
+    double min_parallax_deg = 1.0;  ///< degrees, for a new landmark, 0.05..30
+    double redundant_ratio =
+        0.9;                 ///< share of landmarks seen elsewhere that culls a keyframe, 0.1..1
+    int ba_iterations = 10;  ///< per local BA, 1..200
+    int queue_capacity = 3;  ///< keyframes waiting for the mapper, 1..100
   } mapping;
 };
 

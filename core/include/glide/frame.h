@@ -1,17 +1,17 @@
 #pragma once
 
+#include "glide/types.h"
+
 #include <cstddef>
 #include <cstdint>
-
-#include "glide/types.h"
 
 namespace glide {
 
 /// An 8-bit gray image that the caller owns; read only during Session::update.
 struct Luma {
   const std::uint8_t* pixels = nullptr;
-  int width = 0;           ///< px
-  int height = 0;          ///< px
+  int width = 0;              ///< px
+  int height = 0;             ///< px
   std::ptrdiff_t stride = 0;  ///< bytes from one row to the next, at least width
 };
 
@@ -35,9 +35,9 @@ struct FrameStats {
   double mapping_ms = 0.0;  ///< mapping done inside update() (Execution::inline_ only)
   double pyramid_ms = 0.0, precompute_ms = 0.0, align_ms = 0.0;  ///< direct tracker
   double features_ms = 0.0, match_ms = 0.0, pose_ms = 0.0;       ///< indirect tracker
-  int visible = 0;    ///< landmarks of the tracker that lie in the image
-  int inliers = 0;    ///< of these, the ones that agree with the pose
-  double rms = 0.0;   ///< direct: robust patch error, grey levels; indirect: reprojection error, px
+  int visible = 0;   ///< landmarks of the tracker that lie in the image
+  int inliers = 0;   ///< of these, the ones that agree with the pose
+  double rms = 0.0;  ///< direct: robust patch error, grey levels; indirect: reprojection error, px
   bool keyframe = false;  ///< this frame was handed to the mapper
 };
 
@@ -47,8 +47,8 @@ struct FrameResult {
   TrackingState state = TrackingState::initializing;
   TrackerKind tracker = TrackerKind::none;
   SwitchReason switch_reason = SwitchReason::none;
-  /// Camera in world. Meaningful while state is tracking; else the last known pose. The world is the
-  /// first keyframe's camera frame (x right, y down, z forward), its unit arbitrary.
+  /// Camera in world. Meaningful while state is tracking; else the last known pose. The world is
+  /// the first keyframe's camera frame (x right, y down, z forward), its unit arbitrary.
   Pose T_world_cam;
   /// The same pose relative to a keyframe of the map: it stays right when the map is corrected.
   std::uint64_t reference_keyframe = 0;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "glide/types.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include "glide/types.h"
 
 namespace glide {
 
@@ -22,9 +22,9 @@ struct MapView {
     int observations = 0;
   };
   std::uint64_t revision = 0;
-  std::uint64_t resets = 0;          ///< How often the map was started over.
-  std::vector<Keyframe> keyframes;   ///< by ascending id
-  std::vector<Landmark> landmarks;   ///< by ascending id
+  std::uint64_t resets = 0;         ///< How often the map was started over.
+  std::vector<Keyframe> keyframes;  ///< by ascending id
+  std::vector<Landmark> landmarks;  ///< by ascending id
 };
 
 }  // namespace glide

@@ -1,19 +1,19 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include "glide/config.h"
 #include "glide/frame.h"
 #include "glide/map_view.h"
 #include "glide/result.h"
 #include "glide/version.h"
 
+#include <memory>
+#include <string>
+
 namespace glide {
 
 /// Which device does the direct tracking.
 struct BackendInfo {
-  Backend backend = Backend::cpu;  ///< never automatic
+  Backend backend = Backend::cpu;         ///< never automatic
   std::string vendor, renderer, version;  ///< of the GL, empty on the CPU
 };
 

@@ -13,7 +13,8 @@ struct Pose {
   std::array<double, 4> q_xyzw{0.0, 0.0, 0.0, 1.0};
 };
 
-/// Lens models. Pixel (0,0) is the centre of the first pixel; camera axes are x right, y down, z forward.
+/// Lens models. Pixel (0,0) is the centre of the first pixel; camera axes are x right, y down, z
+/// forward.
 enum class DistortionModel {
   none,               ///< Pinhole; no coefficients.
   radial_tangential,  ///< Brown-Conrady as in OpenCV: k1, k2, p1, p2[, k3].
@@ -22,8 +23,8 @@ enum class DistortionModel {
 
 /// Calibration of the camera at the resolution of the frames given to Session::update.
 struct CameraIntrinsics {
-  int width = 0;   ///< px
-  int height = 0;  ///< px
+  int width = 0;                                  ///< px
+  int height = 0;                                 ///< px
   double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;  ///< px
   DistortionModel distortion = DistortionModel::none;
   std::vector<double> coefficients;  ///< Unitless; count as the model says (0, 4 or 5).
@@ -41,15 +42,15 @@ enum class TrackerKind { none, direct, indirect };
 
 /// Why a frame's pose came from the indirect tracker (or from none). ALGORITHMS section 2.
 enum class SwitchReason {
-  none,                ///< The direct tracker's pose was accepted.
-  no_reference,        ///< There was no reference to track against yet.
-  solve_failed,        ///< The photometric solve was not finite or not positive definite.
-  too_few_visible,     ///< Too small a share of the reference's points is still in view.
-  photometric_error,   ///< The robust patch error exceeds the switching threshold.
-  baseline,            ///< Translation relative to the scene depth exceeds its threshold.
-  rotation,            ///< Rotation since the reference exceeds its threshold.
-  max_direct_frames,   ///< The reference has served for its maximum number of frames.
-  disabled,            ///< The session runs with TrackerMode::indirect.
+  none,               ///< The direct tracker's pose was accepted.
+  no_reference,       ///< There was no reference to track against yet.
+  solve_failed,       ///< The photometric solve was not finite or not positive definite.
+  too_few_visible,    ///< Too small a share of the reference's points is still in view.
+  photometric_error,  ///< The robust patch error exceeds the switching threshold.
+  baseline,           ///< Translation relative to the scene depth exceeds its threshold.
+  rotation,           ///< Rotation since the reference exceeds its threshold.
+  max_direct_frames,  ///< The reference has served for its maximum number of frames.
+  disabled,           ///< The session runs with TrackerMode::indirect.
 };
 
 /// Why there is no map yet.

@@ -1,0 +1,30 @@
+#include "session/map_view_builder.h"
+
+#include "session/pose_conversion.h"
+
+#include <algorithm>
+
+namespace glide {
+
+std::shared_ptr<const MapView> buildMapView(const MapSnapshot& snapshot, std::uint64_t resets) {
+  auto view = std::make_shared<MapView>();
+  view->revision = snapshot.revision();
+  view->resets = resets;
+  for (const auto& keyframe : snapshot.keyframes())
+    view->keyframes.push_back(
+        {keyframe.id.value, keyframe.t_ns, toPose(keyframe.T_cam_world.inverse()), false});
+  for (const auto& retired : snapshot.retired())
+    view->keyframes.push_back(
+        {retired.id.value, retired.t_ns, toPose(retired.T_cam_world.inverse()), true});
+  std::sort(view->keyframes.begin(), view->keyframes.end(), [](const auto& a, const auto& b) {
+    return a.id < b.id;
+  });
+  for (const auto& landmark : snapshot.landmarks()) {
+    const Vec3d& p = landmark.p_world;
+    view->landmarks.push_back(
+        {landmark.id.value, {p.x(), p.y(), p.z()}, static_cast<int>(landmark.observations.size())});
+  }
+  return view;
+}
+
+}  // namespace glide

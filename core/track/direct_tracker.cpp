@@ -1,0 +1,84 @@
+#include "track/direct_tracker.h"
+
+#include "track/switch_policy.h"
+
+#include "base/median.h"
+
+#include <utility>
+
+namespace glide {
+namespace {
+
+/// Landmarks of the frame in its own camera frame, at most `max_points`, evenly thinned.
+void collectPoints(const Frame& frame,
+                   const TrackedFrame& tracked,
+                   int max_points,
+                   std::vector<AlignPoint>* points) {
+  points->clear();
+  for (const LandmarkId id : tracked.landmarks) {
+    if (id == kNoLandmark) continue;
+    const MapSnapshot::LandmarkEntry* landmark = frame.map->landmark(id);
+    if (landmark != nullptr) points->push_back({tracked.T_cam_world * landmark->p_world});
+  }
+  const std::size_t wanted = static_cast<std::size_t>(max_points);
+  if (points->size() <= wanted) return;
+  for (std::size_t i = 0; i < wanted; ++i) (*points)[i] = (*points)[i * points->size() / wanted];
+  points->resize(wanted);
+}
+
+double medianDepth(const std::vector<AlignPoint>& points) {
+  std::vector<double> depths;
+  depths.reserve(points.size());
+  for (const AlignPoint& point : points) depths.push_back(point.p_ref.z());
+  return median(std::move(depths), 1.0);
+}
+
+}  // namespace
+
+DirectTracker::DirectTracker(const Config::Direct& config, std::unique_ptr<Aligner> aligner)
+    : config_(config), aligner_(std::move(aligner)) {}
+
+TrackedFrame DirectTracker::track(const Frame& frame, const SE3d& T_cam_world_guess) {
+  aligner_->loadFrame(frame.luma);
+  TrackedFrame tracked;
+  tracked.T_cam_world = T_cam_world_guess;
+  if (!reference_) {
+    tracked.stats.pyramid_ms = aligner_->times().pyramid_ms;
+    return tracked;
+  }
+  const SE3d T_ref_world = reference_->pose.T_cam_world(*frame.map);
+  const AlignResult align = aligner_->align(T_cam_world_guess * T_ref_world.inverse());
+  if (align.valid) tracked = makeTracked(align, T_ref_world);
+  tracked.switch_reason =
+      decideSwitch(config_, {align, reference_->direct_frames, reference_->median_depth});
+  tracked.ok = tracked.switch_reason == SwitchReason::none;
+  if (tracked.ok) ++reference_->direct_frames;
+  tracked.stats.pyramid_ms = aligner_->times().pyramid_ms;
+  tracked.stats.align_ms = aligner_->times().align_ms;
+  return tracked;
+}
+
+TrackedFrame DirectTracker::makeTracked(const AlignResult& align, const SE3d& T_ref_world) const {
+  TrackedFrame tracked;
+  tracked.tracker = TrackerKind::direct;
+  tracked.T_cam_world = align.T_cam_ref * T_ref_world;
+  tracked.pose = {reference_->pose.keyframe,
+                  align.T_cam_ref * reference_->pose.T_cam_key,
+                  reference_->pose.T_key_world};
+  tracked.confidence = align.points > 0 ? static_cast<double>(align.inliers) / align.points : 0.0;
+  tracked.stats.visible = align.visible;
+  tracked.stats.inliers = align.inliers;
+  tracked.stats.rms = align.rms;
+  return tracked;
+}
+
+double DirectTracker::refreshReference(const Frame& frame, const TrackedFrame& tracked) {
+  collectPoints(frame, tracked, config_.max_points, &points_);
+  reference_.reset();
+  if (static_cast<int>(points_.size()) < config_.min_points) return 0.0;
+  aligner_->promoteReference(points_);
+  reference_ = Reference{tracked.pose, medianDepth(points_), 0};
+  return aligner_->times().precompute_ms;
+}
+
+}  // namespace glide

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "track/tracked_frame.h"
+
+#include "photometric/aligner.h"
+
+#include "glide/config.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace glide {
+
+/// Photometric tracking of tween frames against one reference. Owned by the thread that calls
+/// Session::update; with the GL backend that is the GL thread.
+class DirectTracker {
+ public:
+  DirectTracker(const Config::Direct& config, std::unique_ptr<Aligner> aligner);
+
+  /// Aligns the frame to the reference. ok is the switch policy's verdict; the pose of a refused
+  /// frame is kept when it is finite, as a guess for the indirect tracker.
+  TrackedFrame track(const Frame& frame, const SE3d& T_cam_world_guess);
+
+  /// Makes the frame tracked last the reference, with the landmarks that the indirect tracker
+  /// matched in it. Too few of them drop the reference. Returns the milliseconds of the precompute.
+  double refreshReference(const Frame& frame, const TrackedFrame& tracked);
+
+  void dropReference() { reference_.reset(); }
+
+ private:
+  struct Reference {
+    AnchoredPose pose;
+    double median_depth = 1.0;
+    int direct_frames = 0;
+  };
+
+  TrackedFrame makeTracked(const AlignResult& align, const SE3d& T_ref_world) const;
+
+  Config::Direct config_;
+  std::unique_ptr<Aligner> aligner_;
+  std::optional<Reference> reference_;
+  std::vector<AlignPoint> points_;  ///< scratch
+};
+
+}  // namespace glide

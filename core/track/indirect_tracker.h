@@ -1,0 +1,62 @@
+#pragma once
+
+#include "track/landmark_search.h"
+#include "track/local_map.h"
+#include "track/tracked_frame.h"
+
+#include "feature/orb_extractor.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace glide {
+
+/// How far the true pose may be from the guess.
+enum class GuessQuality {
+  aligned,    ///< by the direct tracker: a few pixels
+  predicted,  ///< by the motion model: tens of pixels
+  lost,       ///< unknown: recovery by descriptors against the last reference keyframe
+};
+
+/// What the indirect tracker starts from.
+struct IndirectGuess {
+  SE3d T_cam_world;
+  GuessQuality quality = GuessQuality::predicted;
+  KeyframeId reference;  ///< keyframe to fall back on
+};
+
+/// Feature tracking of one frame against the local map. Depends on nothing but its arguments, so
+/// any thread may call it; one thread per instance.
+class IndirectTracker {
+ public:
+  IndirectTracker(const Config& config, const CameraModel& camera);
+
+  /// ok when enough landmarks agree with the pose; then features, landmarks and sightings are
+  /// filled.
+  TrackedFrame track(const Frame& frame, const IndirectGuess& guess);
+
+  /// Features alone, for the initializer.
+  std::shared_ptr<const FeatureSet> extract(const ImageViewU8& luma, int count);
+
+ private:
+  struct Attempt {
+    LandmarkMatches matches;
+    PoseEstimate pose;
+  };
+
+  Attempt searchAround(const Frame& frame, const FeatureSet& features, const IndirectGuess& guess);
+  Attempt recover(const Frame& frame, const FeatureSet& features, const IndirectGuess& guess);
+  void report(const Frame& frame,
+              const Attempt& attempt,
+              const LocalMap& local,
+              TrackedFrame* tracked) const;
+
+  Config config_;
+  CameraModel camera_;
+  OrbExtractor extractor_;
+  LandmarkSearch search_;
+  std::vector<LandmarkId> recent_;  ///< landmarks of the last frame that was tracked
+};
+
+}  // namespace glide

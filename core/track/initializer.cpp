@@ -1,0 +1,98 @@
+#include "track/initializer.h"
+
+#include <utility>
+
+namespace glide {
+namespace {
+
+// How far a feature may have moved from where it was seen last: frame-to-frame motion, not the sum.
+constexpr float kWindow_px = 100.0F;
+// Only features of the finest levels take part: they are located best.
+constexpr int kMaxLevel = 1;
+constexpr MatchOptions kMatch{50, 0.9, true};
+
+}  // namespace
+
+Initializer::Initializer(const Config& config, const CameraModel& camera)
+    : config_(config), camera_(camera) {}
+
+void Initializer::reset() {
+  first_ = InitialMap::View();
+  progress_ = InitializationProgress();
+}
+
+void Initializer::start(std::int64_t t_ns, std::shared_ptr<const FeatureSet> features) {
+  first_ = InitialMap::View();
+  first_.t_ns = t_ns;
+  predicted_uv_.clear();
+  for (const Feature& feature : features->features()) predicted_uv_.push_back(feature.uv);
+  first_.features = std::move(features);
+  age_frames_ = 0;
+}
+
+std::vector<Match> Initializer::matchToFirst(const FeatureSet& features) {
+  std::vector<Match> matches =
+      matchInWindow(*first_.features, predicted_uv_, features, {kMatch, kWindow_px, kMaxLevel});
+  for (const Match& match : matches)
+    predicted_uv_[static_cast<std::size_t>(match.a)] =
+        features.feature(static_cast<std::size_t>(match.b)).uv;
+  return matches;
+}
+
+std::optional<InitialMap> Initializer::update(std::int64_t t_ns,
+                                              std::shared_ptr<const FeatureSet> features) {
+  progress_ = InitializationProgress();
+  const auto& options = config_.initialization;
+  if (static_cast<int>(features->size()) < options.min_matches) {
+    first_ = InitialMap::View();
+    return std::nullopt;
+  }
+  if (!first_.features || ++age_frames_ > options.max_reference_age) {
+    start(t_ns, std::move(features));
+    progress_.status = InitializationStatus::too_little_motion;
+    return std::nullopt;
+  }
+  const std::vector<Match> matches = matchToFirst(*features);
+  progress_.matches = static_cast<int>(matches.size());
+  if (progress_.matches < options.min_matches) {
+    start(t_ns, std::move(features));
+    progress_.status = InitializationStatus::too_few_matches;
+    return std::nullopt;
+  }
+  std::vector<PixelPair> pairs;
+  for (const Match& match : matches)
+    pairs.push_back({first_.features->feature(static_cast<std::size_t>(match.a)).uv.cast<double>(),
+                     features->feature(static_cast<std::size_t>(match.b)).uv.cast<double>()});
+  TwoViewOptions two_view;
+  two_view.sigma_px = options.sigma_px;
+  two_view.min_points = options.min_landmarks;
+  two_view.min_parallax_deg = options.min_parallax_deg;
+  const TwoViewResult result = solveTwoView(camera_, pairs, two_view);
+  report(result);
+  if (result.status != InitializationStatus::done) return std::nullopt;
+  InitialMap::View second;
+  second.t_ns = t_ns;
+  second.features = std::move(features);
+  second.T_cam_world = result.T_b_a;
+  return makeMap(result, matches, second);
+}
+
+void Initializer::report(const TwoViewResult& result) {
+  progress_.status = result.status;
+  progress_.parallax_deg = result.parallax_deg;
+  progress_.landmarks = result.landmarks;
+}
+
+InitialMap Initializer::makeMap(const TwoViewResult& result,
+                                const std::vector<Match>& matches,
+                                const InitialMap::View& second) const {
+  InitialMap map;
+  map.a = first_;
+  map.b = second;
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    if (result.triangulated[i])
+      map.points.push_back({result.points_a[i], matches[i].a, matches[i].b});
+  return map;
+}
+
+}  // namespace glide

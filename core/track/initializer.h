@@ -1,0 +1,47 @@
+#pragma once
+
+#include "feature/matcher.h"
+#include "map/messages.h"
+
+#include "geometry/camera_model.h"
+#include "geometry/two_view.h"
+
+#include "glide/config.h"
+#include "glide/frame.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace glide {
+
+/// Monocular start: keeps a first view and tries to solve the relative pose to each following one
+/// (ALGORITHMS section 4, "Initialisation").
+class Initializer {
+ public:
+  Initializer(const Config& config, const CameraModel& camera);
+
+  /// The features of one more frame. Returns the two views and their points once they are sure; ids
+  /// of the views are left to the caller. progress() says how far it is otherwise.
+  std::optional<InitialMap> update(std::int64_t t_ns, std::shared_ptr<const FeatureSet> features);
+
+  const InitializationProgress& progress() const { return progress_; }
+  void reset();
+
+ private:
+  void start(std::int64_t t_ns, std::shared_ptr<const FeatureSet> features);
+  std::vector<Match> matchToFirst(const FeatureSet& features);
+  void report(const TwoViewResult& result);
+  InitialMap makeMap(const TwoViewResult& result,
+                     const std::vector<Match>& matches,
+                     const InitialMap::View& second) const;
+
+  Config config_;
+  CameraModel camera_;
+  InitialMap::View first_;
+  std::vector<Vec2f> predicted_uv_;  ///< where each feature of the first view was seen last
+  int age_frames_ = 0;
+  InitializationProgress progress_;
+};
+
+}  // namespace glide

@@ -1,0 +1,37 @@
+#include "track/switch_policy.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace glide {
+namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+bool errorTooHigh(const Config::Direct& config, const AlignResult& align) {
+  if (align.rms > config.max_rms) return true;
+  return align.rms > config.max_rms_contrast * align.contrast * align.gain;
+}
+
+bool tooFewVisible(const Config::Direct& config, const AlignResult& align) {
+  return align.visible < config.min_visible_ratio * align.points;
+}
+
+}  // namespace
+
+SwitchReason decideSwitch(const Config::Direct& config, const DirectEvidence& evidence) {
+  const AlignResult& align = evidence.align;
+  if (evidence.direct_frames >= config.max_direct_frames) return SwitchReason::max_direct_frames;
+  if (!align.valid) return SwitchReason::solve_failed;
+  if (tooFewVisible(config, align)) return SwitchReason::too_few_visible;
+  if (errorTooHigh(config, align)) return SwitchReason::photometric_error;
+  if (align.inliers < config.min_inlier_ratio * align.visible)
+    return SwitchReason::photometric_error;
+  const double baseline = align.T_cam_ref.t.norm() / std::max(evidence.median_depth, 1e-9);
+  if (baseline > config.max_baseline) return SwitchReason::baseline;
+  const double rotation_deg = so3Log(align.T_cam_ref.q).norm() * kDegPerRad;
+  if (rotation_deg > config.max_rotation_deg) return SwitchReason::rotation;
+  return SwitchReason::none;
+}
+
+}  // namespace glide

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "photometric/align_types.h"
+
+#include "glide/config.h"
+
+namespace glide {
+
+/// What the decision about a direct frame rests on.
+struct DirectEvidence {
+  AlignResult align;
+  int direct_frames = 0;      ///< frames already accepted against this reference
+  double median_depth = 1.0;  ///< of the reference's points, scene units
+};
+
+/// SwitchReason::none accepts the direct pose; anything else says why the frame goes to the
+/// indirect tracker (paper, section III-D; ALGORITHMS section 2).
+SwitchReason decideSwitch(const Config::Direct& config, const DirectEvidence& evidence);
+
+}  // namespace glide
