@@ -1,14 +1,14 @@
 #pragma once
 
+#include "map/keyframe.h"
+#include "map/landmark.h"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
-
-#include "map/keyframe.h"
-#include "map/landmark.h"
 
 namespace glide {
 
