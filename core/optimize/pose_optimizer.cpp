@@ -27,8 +27,6 @@ constexpr double kConverged = 1e-6;
 // Smallest pivot of the system scaled to a unit diagonal; below it a direction is not observed.
 constexpr double kMinPivot = 1e-10;
 
-enum class Loss { huber, squared };
-
 struct PoseProblem {
   const CameraModel& camera;
   std::span<const PoseObservation> observations;

@@ -18,6 +18,9 @@ static_assert(kReprojectionHuber * kReprojectionHuber - kChi2_2 < 1e-12 &&
 /// others.
 inline constexpr double kUnprojectableNorm = 100.0;
 
+/// Of a residual's norm: Huber from kReprojectionHuber on, or the square alone.
+enum class Loss { huber, squared };
+
 /// r = (pi(p_cam) - uv) * inv_sigma, in sigmas, with its derivative by the camera point.
 struct Reprojection {
   Vec2d r;

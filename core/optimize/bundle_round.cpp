@@ -1,0 +1,120 @@
+#include "optimize/bundle_round.h"
+
+#include "optimize/reprojection_cost.h"
+
+#include <ceres/ceres.h>
+
+#include <deque>
+#include <memory>
+
+namespace glide {
+namespace {
+
+// Below this many free cameras the reduced camera system is solved densely
+// (docs/decisions/0002-bundle-solver.md).
+constexpr int kMaxDenseCameras = 60;
+
+// The order of elimination: the points, whose part of the system is block-diagonal, go first.
+constexpr int kPointGroup = 0;
+constexpr int kCameraGroup = 1;
+
+// Relative decrease of the cost at which a round ends.
+constexpr double kFunctionTolerance = 1e-6;
+
+class CancelCallback final : public ceres::IterationCallback {
+ public:
+  explicit CancelCallback(const std::atomic<bool>* cancel) : cancel_(cancel) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return cancel_ != nullptr && cancel_->load() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                 : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const std::atomic<bool>* cancel_;
+};
+
+ceres::Problem::Options borrowingEverything() {
+  ceres::Problem::Options options;
+  options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  options.disable_all_safety_checks = true;
+  return options;
+}
+
+/// A ceres::Problem and what it points to.
+struct RoundProblem {
+  std::deque<ReprojectionCost> costs;  // neither copied nor moved
+
+  ceres::HuberLoss huber{kReprojectionHuber};
+  LeftPoseManifold manifold;
+  ceres::Problem problem{borrowingEverything()};
+  std::shared_ptr<ceres::ParameterBlockOrdering> ordering =
+      std::make_shared<ceres::ParameterBlockOrdering>();
+  int free_cameras = 0;
+};
+
+void addObservations(const RoundInput& input, Loss loss, BundleState* state, RoundProblem* round) {
+  ceres::LossFunction* loss_function = loss == Loss::huber ? &round->huber : nullptr;
+  for (std::size_t i = 0; i < input.bundle.observations.size(); ++i) {
+    if (!input.use[i]) continue;
+    const BundleObservation& o = input.bundle.observations[i];
+    round->costs.emplace_back(input.camera, o.uv, o.inv_sigma);
+    double* pose = state->poses[std::size_t(o.camera)].data();
+    double* point = state->points[std::size_t(o.point)].data();
+    round->problem.AddResidualBlock(&round->costs.back(), loss_function, pose, point);
+    round->ordering->AddElementToGroup(point, kPointGroup);
+  }
+}
+
+void addCameras(const BundleProblem& bundle, BundleState* state, RoundProblem* round) {
+  for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
+    double* pose = state->poses[c].data();
+    if (!round->problem.HasParameterBlock(pose)) continue;
+    round->ordering->AddElementToGroup(pose, kCameraGroup);
+    if (bundle.cameras[c].fixed) {
+      round->problem.SetParameterBlockConstant(pose);
+    } else {
+      round->problem.SetManifold(pose, &round->manifold);
+      ++round->free_cameras;
+    }
+  }
+}
+
+ceres::Solver::Options solverOptions(const RoundOptions& options, const RoundProblem& round) {
+  ceres::Solver::Options ceres_options;
+  ceres_options.linear_solver_type =
+      round.free_cameras <= kMaxDenseCameras ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
+  ceres_options.linear_solver_ordering = round.ordering;
+  ceres_options.initial_trust_region_radius = options.trust_region_radius;
+  ceres_options.max_num_iterations = options.max_iterations;
+  ceres_options.function_tolerance = kFunctionTolerance;
+  ceres_options.num_threads = 1;
+  ceres_options.logging_type = ceres::SILENT;
+  return ceres_options;
+}
+
+}  // namespace
+
+RoundResult solveRound(const RoundInput& input, const RoundOptions& options, BundleState* state) {
+  RoundProblem round;
+  addObservations(input, options.loss, state, &round);
+  addCameras(input.bundle, state, &round);
+
+  ceres::Solver::Options ceres_options = solverOptions(options, round);
+  CancelCallback callback(options.cancel);
+  ceres_options.callbacks.push_back(&callback);
+  ceres::Solver::Summary summary;
+  ceres::Solve(ceres_options, &round.problem, &summary);
+
+  RoundResult result;
+  result.usable = summary.IsSolutionUsable();
+  result.cancelled = summary.termination_type == ceres::USER_SUCCESS;
+  if (!summary.iterations.empty()) {
+    result.iterations = summary.iterations.back().iteration;
+    result.trust_region_radius = summary.iterations.back().trust_region_radius;
+  }
+  return result;
+}
+
+}  // namespace glide

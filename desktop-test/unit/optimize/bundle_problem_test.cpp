@@ -1,0 +1,210 @@
+#include "optimize/bundle_problem.h"
+
+#include "support/bundle_case.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace glide {
+namespace {
+
+using test::BundleCase;
+using test::makeBundleCase;
+
+/// Bit for bit.
+bool same(const BundleProblem& a, const BundleProblem& b) {
+  bool equal = a.points == b.points;
+  for (std::size_t c = 0; c < a.cameras.size(); ++c) {
+    equal = equal && a.cameras[c].T_cam_world.q.coeffs() == b.cameras[c].T_cam_world.q.coeffs() &&
+            a.cameras[c].T_cam_world.t == b.cameras[c].T_cam_world.t;
+  }
+  for (std::size_t i = 0; i < a.observations.size(); ++i) {
+    equal = equal && a.observations[i].inlier == b.observations[i].inlier;
+  }
+  return equal;
+}
+
+class Bundle : public testing::TestWithParam<DistortionModel> {
+ protected:
+  const CameraModel camera_ = test::syntheticCamera(GetParam());
+};
+
+TEST_P(Bundle, RecoversCamerasAndPointsOfNoiseFreeObservations) {
+  BundleCase c = makeBundleCase(camera_, {.cameras = 6, .points = 100});
+  const BundleSummary summary = solveBundle(camera_, {.max_iterations = 15}, &c.problem);
+  EXPECT_TRUE(summary.usable);
+  EXPECT_EQ(summary.outliers, 0);
+  EXPECT_LT(test::worstCameraError(c), 1e-9);
+  EXPECT_LT(test::worstPointError(c), 1e-9);
+}
+
+TEST_P(Bundle, ToleratesOutliersAndFlagsThem) {
+  BundleCase c = makeBundleCase(
+      camera_, {.cameras = 8, .points = 150, .noise_px = 0.3, .outlier_share = 0.2, .seed = 3});
+  const BundleSummary summary = solveBundle(camera_, {.rounds = 3}, &c.problem);
+  ASSERT_TRUE(summary.usable);
+  EXPECT_LT(test::worstCameraError(c), 3e-3);
+  int wrong = 0, outliers = 0;
+  for (std::size_t i = 0; i < c.problem.observations.size(); ++i) {
+    outliers += c.problem.observations[i].inlier ? 0 : 1;
+    wrong += c.problem.observations[i].inlier == c.truth.observations[i].outlier ? 1 : 0;
+  }
+  EXPECT_EQ(summary.outliers, outliers);
+  // An outlier may lie on its point's epipolar lines by chance.
+  EXPECT_LT(wrong, 0.005 * double(c.problem.observations.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(AllCameraModels,
+                         Bundle,
+                         testing::Values(DistortionModel::none,
+                                         DistortionModel::radial_tangential,
+                                         DistortionModel::kannala_brandt4));
+
+/// The remaining behaviour does not depend on the lens.
+class BundleBehaviour : public testing::Test {
+ protected:
+  BundleCase noisyCase() const {
+    return makeBundleCase(camera_,
+                          {.cameras = 8, .points = 150, .noise_px = 0.5, .outlier_share = 0.1});
+  }
+  const CameraModel camera_ = test::syntheticCamera(DistortionModel::radial_tangential);
+};
+
+TEST_F(BundleBehaviour, DoesNotMoveFixedCameras) {
+  BundleCase c = noisyCase();
+  c.problem.cameras[4].fixed = true;
+  const BundleProblem before = c.problem;
+  ASSERT_TRUE(solveBundle(camera_, {}, &c.problem).usable);
+  for (std::size_t i = 0; i < before.cameras.size(); ++i) {
+    const SE3d& T_before = before.cameras[i].T_cam_world;
+    const SE3d& T_after = c.problem.cameras[i].T_cam_world;
+    const bool stayed = T_before.q.coeffs() == T_after.q.coeffs() && T_before.t == T_after.t;
+    EXPECT_EQ(stayed, before.cameras[i].fixed) << "camera " << i;
+  }
+}
+
+TEST_F(BundleBehaviour, RefinesPointsWhenAllCamerasAreFixed) {
+  BundleCase c = makeBundleCase(camera_, {.cameras = 5, .points = 60});
+  for (std::size_t i = 0; i < c.problem.cameras.size(); ++i) {
+    c.problem.cameras[i] = {c.truth.T_cam_world[i], true};
+  }
+  ASSERT_TRUE(solveBundle(camera_, {}, &c.problem).usable);
+  EXPECT_LT(test::worstPointError(c), 1e-9);
+}
+
+TEST_F(BundleBehaviour, LowersTheCostWithoutAFixedCameraToo) {
+  BundleCase c = noisyCase();
+  for (BundleProblem::Camera& camera : c.problem.cameras) camera.fixed = false;
+  const BundleSummary summary = solveBundle(camera_, {}, &c.problem);
+  EXPECT_TRUE(summary.usable);
+  EXPECT_LT(summary.final_cost, summary.initial_cost);
+}
+
+TEST_F(BundleBehaviour, LeavesOutWhatTheCallerFlaggedButLetsItComeBack) {
+  BundleCase c = makeBundleCase(camera_, {.cameras = 6, .points = 100, .noise_px = 0.2, .seed = 2});
+  for (std::size_t i = 0; i < c.problem.observations.size(); i += 7) {
+    c.problem.observations[i].inlier = false;
+  }
+  const BundleSummary summary = solveBundle(camera_, {}, &c.problem);
+  ASSERT_TRUE(summary.usable);
+  EXPECT_EQ(summary.outliers, 0);
+  EXPECT_THAT(c.problem.observations,
+              testing::Each(testing::Field(&BundleObservation::inlier, true)));
+}
+
+TEST_F(BundleBehaviour, IsNotLedByAnOutlierThatTheCallerFlagged) {
+  // One round without Huber: an unflagged outlier of hundreds of pixels would drag its camera
+  // along.
+  BundleCase c = makeBundleCase(camera_, {.cameras = 6, .points = 100});
+  c.problem.observations[10].uv += Vec2d(300.0, -200.0);
+  c.problem.observations[10].inlier = false;
+  ASSERT_TRUE(solveBundle(camera_, {.max_iterations = 15, .rounds = 1}, &c.problem).usable);
+  EXPECT_LT(test::worstCameraError(c), 1e-9);
+  EXPECT_FALSE(c.problem.observations[10].inlier);
+}
+
+TEST_F(BundleBehaviour, KeepsThePositionOfPointsWithFewerThanTwoInliers) {
+  BundleCase c = makeBundleCase(camera_, {.cameras = 6, .points = 100, .noise_px = 0.2});
+  int kept_views = 0;
+  for (BundleObservation& o : c.problem.observations) {
+    if (o.point == 3 && kept_views++ > 0)
+      o.uv = Vec2d(5.0 + 90.0 * kept_views, 13.0 + 200.0 * (kept_views % 2));
+    if (o.point == 4) o.inlier = false;
+    if (o.point == 4) o.uv = Vec2d(1.0, 1.0);
+  }
+  const Vec3d p_one_inlier = c.problem.points[3];
+  const Vec3d p_no_inlier = c.problem.points[4];
+  ASSERT_TRUE(solveBundle(camera_, {}, &c.problem).usable);
+  EXPECT_EQ(c.problem.points[3], p_one_inlier);
+  EXPECT_EQ(c.problem.points[4], p_no_inlier);
+}
+
+TEST_F(BundleBehaviour, IgnoresPointsBehindTheCameraAndNumbersThatAreNotFinite) {
+  BundleCase c = makeBundleCase(camera_, {.cameras = 6, .points = 100});
+  c.problem.observations[0].uv.x() = NAN;
+  const Vec3d center = c.truth.T_cam_world[5].inverse().t;
+  c.problem.points.push_back(1.5 * center);
+  c.truth.points.push_back(1.5 * center);
+  const int behind = static_cast<int>(c.problem.points.size()) - 1;
+  c.problem.observations.push_back({5, behind, Vec2d(300.0, 200.0), 1.0, true});
+  c.problem.observations.push_back({4, behind, Vec2d(300.0, 200.0), 1.0, true});
+  const BundleSummary summary = solveBundle(camera_, {.max_iterations = 15}, &c.problem);
+  ASSERT_TRUE(summary.usable);
+  EXPECT_LT(test::worstCameraError(c), 1e-9);
+  EXPECT_FALSE(c.problem.observations[0].inlier);
+  EXPECT_FALSE(c.problem.observations.back().inlier);
+}
+
+TEST_F(BundleBehaviour, GivesTheSameBitsTwice) {
+  BundleCase a = noisyCase();
+  BundleCase b = a;
+  const BundleSummary summary_a = solveBundle(camera_, {}, &a.problem);
+  const BundleSummary summary_b = solveBundle(camera_, {}, &b.problem);
+  EXPECT_TRUE(same(a.problem, b.problem));
+  EXPECT_EQ(summary_a.final_cost, summary_b.final_cost);
+}
+
+TEST_F(BundleBehaviour, ChangesNothingWhenCancelledBeforeTheStart) {
+  BundleCase c = noisyCase();
+  const BundleProblem before = c.problem;
+  const std::atomic<bool> cancel{true};
+  const BundleSummary summary = solveBundle(camera_, {.cancel = &cancel}, &c.problem);
+  EXPECT_TRUE(summary.cancelled);
+  EXPECT_FALSE(summary.usable);
+  EXPECT_TRUE(same(before, c.problem));
+}
+
+TEST_F(BundleBehaviour, IsNotUsableWithoutObservations) {
+  BundleProblem empty;
+  EXPECT_FALSE(solveBundle(camera_, {}, &empty).usable);
+  BundleCase c = noisyCase();
+  c.problem.observations.clear();
+  const BundleProblem before = c.problem;
+  EXPECT_FALSE(solveBundle(camera_, {}, &c.problem).usable);
+  EXPECT_TRUE(same(before, c.problem));
+}
+
+TEST_F(BundleBehaviour, IsNotUsableWhenNoPointIsSeenTwice) {
+  BundleCase c = makeBundleCase(camera_, {.cameras = 4, .points = 40, .max_views_per_point = 1});
+  const BundleProblem before = c.problem;
+  EXPECT_FALSE(solveBundle(camera_, {}, &c.problem).usable);
+  EXPECT_TRUE(same(before, c.problem));
+}
+
+TEST_F(BundleBehaviour, ApproachesTheAccuracyThatTheNoiseAllows) {
+  // The mean squared residual per degree of freedom tells the noise back when the optimum was
+  // reached.
+  constexpr double kNoisePx = 0.6;
+  BundleCase c = makeBundleCase(camera_, {.cameras = 8, .points = 200, .noise_px = kNoisePx});
+  for (BundleObservation& o : c.problem.observations) o.inv_sigma = 1.0 / kNoisePx;
+  const double before = test::worstCameraError(c);
+  const BundleSummary summary = solveBundle(camera_, {.rounds = 1}, &c.problem);
+  ASSERT_TRUE(summary.usable);
+  EXPECT_LT(test::worstCameraError(c), 0.1 * before);
+  const double freedom = 2.0 * double(c.problem.observations.size()) - 6.0 * 6.0 - 3.0 * 200.0;
+  EXPECT_NEAR(test::sumOfSquares(camera_, c.problem) / freedom, 1.0, 0.1);
+}
+
+}  // namespace
+}  // namespace glide
