@@ -180,7 +180,7 @@ TEST(Pyramid, KeepsItsBuffersFromFrameToFrame) {
 
 TEST(Pyramid, StopsBeforeLevelsBelowEightPixels) {
   EXPECT_EQ(pyramidLevels(752, 480, 6), 6);
-  EXPECT_EQ(pyramidLevels(752, 480, 8), 6);
+  EXPECT_EQ(pyramidLevels(752, 480, 8), 7);
   EXPECT_EQ(pyramidLevels(752, 480, 1), 1);
   EXPECT_EQ(pyramidLevels(16, 1000, 8), 2);
   EXPECT_EQ(pyramidLevels(15, 1000, 8), 2);
