@@ -18,8 +18,10 @@ constexpr int kMaxDenseCameras = 60;
 constexpr int kPointGroup = 0;
 constexpr int kCameraGroup = 1;
 
-// Relative decrease of the cost at which a round ends.
+// Relative decrease of the cost at which a round ends. It alone decides: Ceres' test on the length
+// of the step would depend on the map's scale and on the number of points.
 constexpr double kFunctionTolerance = 1e-6;
+constexpr double kParameterTolerance = 0.0;
 
 class CancelCallback final : public ceres::IterationCallback {
  public:
@@ -89,6 +91,7 @@ ceres::Solver::Options solverOptions(const RoundOptions& options, const RoundPro
   ceres_options.initial_trust_region_radius = options.trust_region_radius;
   ceres_options.max_num_iterations = options.max_iterations;
   ceres_options.function_tolerance = kFunctionTolerance;
+  ceres_options.parameter_tolerance = kParameterTolerance;
   ceres_options.num_threads = 1;
   ceres_options.logging_type = ceres::SILENT;
   return ceres_options;
