@@ -1,0 +1,75 @@
+#include "mapping/local_mapper.h"
+
+#include "mapping/fusion.h"
+#include "mapping/initial_map.h"
+#include "mapping/insertion.h"
+#include "mapping/keyframe_culling.h"
+#include "mapping/mapper_state.h"
+#include "mapping/new_landmarks.h"
+#include "mapping/recent_landmarks.h"
+#include "mapping/window_adjustment.h"
+
+#include "map/snapshot_builder.h"
+
+#include <cstdint>
+#include <variant>
+
+namespace glide {
+
+struct LocalMapper::Impl {
+  MapperState state;
+  RecentLandmarks recent;
+  std::uint64_t revision = 0;
+  Published<MapSnapshot>* const published;
+
+  Impl(const Config& config, const CameraModel& camera, Published<MapSnapshot>* published_in)
+      : state(config, camera), published(published_in) {}
+
+  void process(const InitialMap& message) {
+    recent.clear();
+    startMap(&state, message);
+    publish();
+  }
+
+  void process(const NewKeyframe& message, const std::atomic<bool>* interrupt) {
+    for (const LandmarkSighting& sighting : message.sightings) state.map.countSighting(sighting);
+    if (insertKeyframe(&state, message)) extend(message.id, interrupt);
+    publish();
+  }
+
+  void extend(KeyframeId id, const std::atomic<bool>* interrupt) {
+    recent.cull(&state.map);
+    recent.add(createLandmarks(&state, id, interrupt));
+    fuseAround(&state, id, interrupt);
+    publish();  // so that tracking profits before the adjustment
+    adjust(id, interrupt);
+    cullRedundantKeyframes(&state, id);
+  }
+
+  void adjust(KeyframeId id, const std::atomic<bool>* interrupt) {
+    BundleOptions options;
+    options.max_iterations = state.config.mapping.ba_iterations;
+    options.cancel = interrupt;
+    adjustWindow(
+        &state, windowAround(state.map, id, state.config.mapping.local_keyframes), options);
+  }
+
+  void publish() {
+    published->store(snapshotOf(state.map, ++revision, state.config.mapping.min_covisibility));
+  }
+};
+
+LocalMapper::LocalMapper(const Config& config,
+                         const CameraModel& camera,
+                         Published<MapSnapshot>* published)
+    : impl_(std::make_unique<Impl>(config, camera, published)) {}
+
+LocalMapper::~LocalMapper() = default;
+
+void LocalMapper::process(const MappingMessage& message, const std::atomic<bool>* interrupt) {
+  if (const auto* initial = std::get_if<InitialMap>(&message)) impl_->process(*initial);
+  if (const auto* keyframe = std::get_if<NewKeyframe>(&message))
+    impl_->process(*keyframe, interrupt);
+}
+
+}  // namespace glide

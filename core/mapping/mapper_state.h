@@ -1,0 +1,35 @@
+#pragma once
+
+#include "mapping/bearing_cache.h"
+
+#include "map/map.h"
+
+#include "geometry/camera_model.h"
+
+#include "glide/config.h"
+
+namespace glide {
+
+/// What every step of mapping works on. Owned by LocalMapper, one thread.
+struct MapperState {
+  MapperState(const Config& config_in, const CameraModel& camera_in)
+      : config(config_in),
+        camera(camera_in),
+        map(ScaleLevels(config.features.scale_factor, config.features.levels)),
+        bearings(camera) {}
+
+  const Config config;
+  const CameraModel camera;
+  Map map;
+  BearingCache bearings;
+};
+
+/// Mean focal length: pixels per radian near the image centre, for every camera model.
+inline double focalPx(const CameraModel& camera) { return 0.5 * (camera.fx() + camera.fy()); }
+
+/// Expected precision of a feature of this level, 1/px.
+inline double inverseSigma(const ScaleLevels& levels, int level) {
+  return 1.0 / levels.scale(level);
+}
+
+}  // namespace glide
