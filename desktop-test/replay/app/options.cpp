@@ -1,0 +1,158 @@
+#include "replay/app/options.h"
+
+#include "glide/version.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace glide::replay {
+namespace {
+
+/// What CLI11 fills and only later becomes Options.
+struct Raw {
+  Options options;
+  std::optional<std::string> backend, tracker, patch, levels, max_direct_frames;
+  std::vector<std::string> settings;
+  bool deterministic = false;
+};
+
+void addInputs(CLI::App& app, Raw& raw) {
+  Options& options = raw.options;
+  app.add_option("SOURCE",
+                 options.source,
+                 "TUM RGB-D folder, EuRoC ASL folder, video file or folder of images;\n"
+                 "a prefix tum: euroc: video: images: forces the kind");
+  app.add_option("-c,--calibration",
+                 options.calibration,
+                 "EuRoC, Kalibr, ORB-SLAM, stella or own YAML, or a preset\n"
+                 "freiburg1|2|3 (default: what lies beside the source)");
+  app.add_option("--gt", options.groundtruth, "ground truth, TUM text or EuRoC csv")
+      ->type_name("FILE");
+  app.add_option("--start", options.selection.start_s, "seconds to skip at the start")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("S");
+  app.add_option("--duration", options.selection.duration_s, "seconds to replay")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  app.add_option("--stride", options.selection.stride, "use every N-th frame")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("N");
+  app.add_option("--max-frames", options.selection.max_frames, "stop after N frames")
+      ->check(CLI::Range(1, 1000000000))
+      ->type_name("N");
+  app.add_option("--fps",
+                 options.fps,
+                 "frame rate of an image folder or video (default: from file\n"
+                 "names or container, else 30)")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->type_name("F");
+}
+
+void addTracking(CLI::App& app, Raw& raw) {
+  Options& options = raw.options;
+  app.add_option("--backend", raw.backend, "where the direct tracker runs: auto, gles or cpu")
+      ->check(CLI::IsMember({"auto", "gles", "cpu"}));
+  app.add_option("--tracker", raw.tracker, "hybrid, or indirect for every frame")
+      ->check(CLI::IsMember({"hybrid", "indirect"}));
+  app.add_flag("--deterministic",
+               raw.deterministic,
+               "mapping inline: the same bytes on every run (default: threads)");
+  const std::map<std::string, Pace> paces = {{"lossless", Pace::lossless},
+                                             {"realtime", Pace::realtime}};
+  app.add_option("--pace",
+                 options.pace,
+                 "lossless: the next frame waits until the mapper has room;\n"
+                 "realtime: by timestamps, late frames drop (default: lossless)")
+      ->transform(CLI::CheckedTransformer(paces).description(""))
+      ->type_name("lossless|realtime");
+  app.add_option("--patch", raw.patch, "patch size of the direct tracker, px, odd")->type_name("N");
+  app.add_option("--levels", raw.levels, "pyramid levels of the direct tracker")->type_name("N");
+  app.add_option("--max-direct-frames", raw.max_direct_frames, "direct frames per reference")
+      ->type_name("N");
+  app.add_option("--set", raw.settings, "any config field, e.g. direct.max_rms=20; repeatable")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->expected(1);
+  app.add_option("--config", options.config_file, "YAML or JSON file of config fields")
+      ->type_name("FILE");
+  app.add_flag("--print-config", options.print_config, "print the config as YAML and stop");
+}
+
+void addOutputs(CLI::App& app, Raw& raw) {
+  Options& options = raw.options;
+  app.add_option("-o,--output", options.output, "output folder (default: out/<name>-<time>)")
+      ->type_name("DIR");
+  const std::map<std::string, TrajectoryFrame> frames = {{"cam", TrajectoryFrame::camera},
+                                                         {"body", TrajectoryFrame::body}};
+  app.add_option("--trajectory-frame",
+                 options.trajectory_frame,
+                 "whose poses the trajectories tell; body needs T_BS in the\n"
+                 "calibration and ground truth for its scale (default: cam)")
+      ->transform(CLI::CheckedTransformer(frames).description(""))
+      ->type_name("cam|body");
+  const std::map<std::string, Progress> progress = {
+      {"auto", Progress::automatic}, {"plain", Progress::plain}, {"none", Progress::none}};
+  app.add_option("--progress",
+                 options.progress,
+                 "auto: a bar on a terminal, else plain lines (default: auto)")
+      ->transform(CLI::CheckedTransformer(progress).description(""))
+      ->type_name("auto|plain|none");
+  app.add_flag("--json", options.json, "print stats.json on stdout; all else goes to stderr");
+  app.add_option("--require-tracked",
+                 options.require_tracked,
+                 "exit with 5 when the tracked ratio is lower")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("R");
+}
+
+/// The named shortcuts are settings too; --set comes last and wins.
+Options toOptions(Raw raw) {
+  Options options = std::move(raw.options);
+  const std::pair<const char*, std::optional<std::string>> shortcuts[] = {
+      {"backend", raw.backend},
+      {"tracker", raw.tracker},
+      {"direct.patch_size", raw.patch},
+      {"direct.levels", raw.levels},
+      {"direct.max_direct_frames", raw.max_direct_frames}};
+  for (const auto& [key, value] : shortcuts) {
+    if (value) options.settings.push_back(std::string(key) + "=" + *value);
+  }
+  if (raw.deterministic) options.settings.emplace_back("execution=inline");
+  options.settings.insert(options.settings.end(), raw.settings.begin(), raw.settings.end());
+  return options;
+}
+
+constexpr const char* kFooter =
+    "\nExit status: 0 ok, 1 usage, 2 unreadable input, 3 GL asked for and unavailable,\n"
+    "4 never initialised, 5 below --require-tracked.";
+
+}  // namespace
+
+std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
+  Raw raw;
+  CLI::App app("Replay a sequence through GLidE-SLAM and write trajectory, statistics and log.",
+               "glide replay");
+  app.footer(kFooter);
+  app.get_formatter()->column_width(34);
+  app.set_version_flag("--version",
+                       std::to_string(GLIDE_VERSION_MAJOR) + "." +
+                           std::to_string(GLIDE_VERSION_MINOR) + "." +
+                           std::to_string(GLIDE_VERSION_PATCH));
+  addInputs(app, raw);
+  addTracking(app, raw);
+  addOutputs(app, raw);
+  try {
+    app.parse(argc, argv);
+    if (raw.options.source.empty() && !raw.options.print_config) {
+      throw CLI::RequiredError("SOURCE");
+    }
+  } catch (const CLI::ParseError& stop) {
+    return app.exit(stop) == 0 ? kOk : kUsage;
+  }
+  return toOptions(std::move(raw));
+}
+
+}  // namespace glide::replay

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "replay/outputs/run_record.h"
+#include "replay/readers/frame_source.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace glide::replay {
+
+enum class Progress { automatic, plain, none };
+enum class TrajectoryFrame { camera, body };
+
+/// The command line, as given.
+struct Options {
+  std::string source;
+  std::string calibration;  ///< file or preset; empty: what lies beside the source
+  std::optional<std::filesystem::path> output;
+  std::optional<std::filesystem::path> groundtruth;
+  FrameSelection selection;
+  std::optional<double> fps;
+  Pace pace = Pace::lossless;
+  TrajectoryFrame trajectory_frame = TrajectoryFrame::camera;
+  Progress progress = Progress::automatic;
+  bool json = false;
+  std::optional<double> require_tracked;
+  bool print_config = false;
+  std::optional<std::filesystem::path> config_file;
+  std::vector<std::string> settings;  ///< key=value, the named shortcuts first, in order
+};
+
+/// What the process ends with, as CLI.md lists them.
+enum ExitCode : int {
+  kOk = 0,
+  kUsage = 1,
+  kUnreadableInput = 2,
+  kNoGl = 3,
+  kNeverInitialised = 4,
+  kTrackedTooLittle = 5,
+};
+
+/// The options, or the exit code when the process should end now (help, version, usage error; the
+/// text is already printed).
+std::variant<Options, int> parseOptions(int argc, const char* const* argv);
+
+}  // namespace glide::replay

@@ -1,0 +1,68 @@
+#include "replay/app/replay_loop.h"
+
+#include "replay/app/frame_feed.h"
+#include "replay/common/text.h"
+
+#include "base/stopwatch.h"
+
+#include "glide/enum_names.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+namespace glide::replay {
+namespace {
+
+Luma lumaOf(const ImageU8& image) {
+  return {image.row(0), image.width(), image.height(), static_cast<std::ptrdiff_t>(image.stride())};
+}
+
+/// One line per change of state: the story of the run.
+void noteStateChange(const FrameRecord& record, TrackingState before, RunLog& log) {
+  const FrameResult& frame = record.result;
+  if (frame.state == before) return;
+  std::string line = fmt::format(
+      "frame {} ({} s): {}", record.index, secondsText(frame.t_ns), enumName(frame.state));
+  if (frame.state == TrackingState::tracking) {
+    line += fmt::format(" by the {} tracker, {} of {} landmarks agree",
+                        enumName(frame.tracker),
+                        frame.stats.inliers,
+                        frame.stats.visible);
+  } else if (frame.state == TrackingState::initializing) {
+    line += ", the map was too small to find again and is started over";
+  } else {
+    line += fmt::format(", direct tracker refused by {}", enumName(frame.switch_reason));
+  }
+  log.note(line);
+}
+
+}  // namespace
+
+Status replayFrames(FrameSource& source,
+                    Session& session,
+                    const LoopObservers& observers,
+                    RunRecord& run) {
+  Stopwatch wall;
+  FrameFeed feed(source, run.pace);
+  TrackingState state = TrackingState::initializing;
+  while (const std::optional<FedFrame> fed = feed.next()) {
+    Result<FrameResult> result = session.update({fed->frame.t_ns, lumaOf(fed->frame.image)});
+    if (!result) return result.error();
+    run.frames.push_back({fed->index, std::move(result).value()});
+    const FrameRecord& record = run.frames.back();
+    if (record.result.stats.keyframe && run.pace == Pace::lossless) session.waitForMapping();
+    noteStateChange(record, state, observers.log);
+    state = record.result.state;
+    observers.progress.show(record);
+  }
+  observers.progress.finish();
+  session.waitForMapping();
+  run.wall_s = wall.lapMs() * 1e-3;
+  run.dropped = feed.dropped();
+  run.map = session.map();
+  run.skips = source.skips().skips();
+  return Unit{};
+}
+
+}  // namespace glide::replay

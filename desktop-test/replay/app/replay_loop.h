@@ -1,0 +1,27 @@
+#pragma once
+
+#include "replay/app/progress_display.h"
+#include "replay/app/run_log.h"
+#include "replay/outputs/run_record.h"
+#include "replay/readers/frame_source.h"
+
+#include "glide/result.h"
+#include "glide/session.h"
+
+namespace glide::replay {
+
+/// What the loop tells while it runs.
+struct LoopObservers {
+  RunLog& log;
+  ProgressDisplay& progress;
+};
+
+/// Feeds every frame of the source to the session at run.pace and fills run.frames, dropped, map,
+/// skips and wall_s. An error only when the session refuses a frame, which is a bug or a full
+/// memory.
+Status replayFrames(FrameSource& source,
+                    Session& session,
+                    const LoopObservers& observers,
+                    RunRecord& run);
+
+}  // namespace glide::replay

@@ -1,0 +1,129 @@
+#include "replay/outputs/summary.h"
+
+#include "glide/enum_names.h"
+
+#include <fmt/format.h>
+
+namespace glide::replay {
+namespace {
+
+std::string row(const std::string& label, const std::string& text) {
+  return fmt::format("  {:<14} {}\n", label, text);
+}
+
+std::string header(const RunRecord& run) {
+  const std::string title =
+      fmt::format("{}  {}x{}", run.source.name, run.source.width, run.source.height);
+  const Config& config = run.config;
+  return fmt::format("\n{}  |  {} {}, {}, patch {}, {} levels, {}\n\n",
+                     title,
+                     enumName(run.backend.backend),
+                     run.backend.renderer.empty() ? "" : "(" + run.backend.renderer + ")",
+                     enumName(config.tracker),
+                     config.direct.patch_size,
+                     config.direct.levels,
+                     config.execution == Execution::inline_ ? "deterministic" : "threaded");
+}
+
+std::string frameRows(const RunRecord& run, const FrameCounts& counts) {
+  std::string text = row(
+      "frames",
+      fmt::format("{} in: {} tracked, {} lost, {} initialising{}",
+                  counts.in,
+                  counts.tracked,
+                  counts.lost,
+                  counts.initializing,
+                  run.pace == Pace::realtime ? fmt::format("; {} dropped", counts.dropped) : ""));
+  for (const Skip& skip : run.skips) text += row("", describe(skip, run.source.listed));
+  if (!counts.first_pose_index) {
+    return text + row("tracked", "never initialised: " + initializationHint(run));
+  }
+  text += row("tracked",
+              fmt::format("{:.1f} % of the frames since the first pose, which is at frame {}",
+                          100.0 * counts.tracked_ratio,
+                          *counts.first_pose_index));
+  return text + row("direct share",
+                    fmt::format("{:.1f} %  ({} direct, {} indirect)",
+                                100.0 * counts.direct_share,
+                                counts.direct,
+                                counts.indirect));
+}
+
+std::string meters(const std::optional<AbsoluteError>& error) {
+  return error ? fmt::format("{:.4f}", error->rmse_m) : "-";
+}
+
+std::string accuracyRows(const std::optional<Accuracy>& accuracy) {
+  if (!accuracy) return row("accuracy", "no ground truth");
+  if (!accuracy->final_error) {
+    return row("accuracy",
+               fmt::format("{} poses have a ground truth, too few to align", accuracy->matched));
+  }
+  std::string text = row("ATE rmse, m",
+                         fmt::format("final {}   live {}   keyframes {}   (max {:.4f}, {} poses)",
+                                     meters(accuracy->final_error),
+                                     meters(accuracy->live_error),
+                                     meters(accuracy->keyframe_error),
+                                     accuracy->final_error->max_m,
+                                     accuracy->matched));
+  if (!accuracy->relative_error) return text;
+  return text + row("RPE over 1 s",
+                    fmt::format("{:.4f} m, {:.3f} deg",
+                                accuracy->relative_error->trans_m,
+                                accuracy->relative_error->rot_deg));
+}
+
+std::string spreadText(const std::string& name, const std::optional<Spread>& spread) {
+  if (!spread) return name + " -";
+  return fmt::format("{} {:.2f} / {:.2f}", name, spread->median, spread->p95);
+}
+
+std::string costRows(const RunRecord& run) {
+  const auto direct = updateSpread(run, TrackerKind::direct);
+  const auto indirect = updateSpread(run, TrackerKind::indirect);
+  const std::string ratio =
+      direct && indirect && direct->median > 0.0
+          ? fmt::format("   (direct {:.1f} x faster)", indirect->median / direct->median)
+          : "";
+  std::string text = row("ms median/p95",
+                         spreadText("direct", direct) + "   " + spreadText("indirect", indirect) +
+                             "   " + spreadText("all", updateSpread(run, std::nullopt)) + ratio);
+  int keyframes = 0;
+  for (const MapView::Keyframe& keyframe : run.map->keyframes) keyframes += !keyframe.retired;
+  text += row("map",
+              fmt::format("{} keyframes, {} landmarks, started over {} times",
+                          keyframes,
+                          run.map->landmarks.size(),
+                          run.map->resets));
+  return text + row("wall", fmt::format("{:.1f} s", run.wall_s));
+}
+
+}  // namespace
+
+std::string initializationHint(const RunRecord& run) {
+  if (run.frames.empty()) return "no frame";
+  const InitializationProgress& progress = run.frames.back().result.initialization;
+  switch (progress.status) {
+    case InitializationStatus::waiting_for_image:
+      return "too few features (dark, blurred or blank images)";
+    case InitializationStatus::too_few_matches:
+      return fmt::format("too few matches ({}) with the first view", progress.matches);
+    case InitializationStatus::too_little_motion:
+      return fmt::format("too little motion (parallax {:.2f} deg): move the camera sideways",
+                         progress.parallax_deg);
+    case InitializationStatus::pure_rotation:
+      return "the camera turned but did not move: move it sideways";
+    case InitializationStatus::ambiguous:
+      return "two explanations fit equally well: keep moving";
+    case InitializationStatus::done:
+      break;
+  }
+  return "the map was given up";
+}
+
+std::string summaryText(const SummaryInput& input) {
+  return header(input.run) + frameRows(input.run, input.counts) + accuracyRows(input.accuracy) +
+         costRows(input.run) + row("output", input.output.string());
+}
+
+}  // namespace glide::replay
