@@ -6,6 +6,7 @@
 #include "geometry/eigen_types.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace glide {
@@ -14,6 +15,7 @@ namespace glide {
 struct Observation {
   KeyframeId keyframe;
   int feature = 0;
+  std::uint8_t level = 0;  ///< of the feature; Map fills it in
 };
 
 /// A map point. Owned by Map.

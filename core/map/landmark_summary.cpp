@@ -12,17 +12,6 @@ namespace {
 // A camera on top of the point has no direction to it.
 constexpr double kMinDistance = 1e-9;
 
-int medianDistance(std::span<const Descriptor* const> descriptors, std::size_t of) {
-  std::vector<int> distances;
-  distances.reserve(descriptors.size());
-  for (const Descriptor* other : descriptors) {
-    distances.push_back(descriptorDistance(*descriptors[of], *other));
-  }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
-
 }  // namespace
 
 ViewingRange viewingRange(const Vec3d& p_world,
@@ -46,12 +35,22 @@ ViewingRange viewingRange(const Vec3d& p_world,
 
 std::size_t medoid(std::span<const Descriptor* const> descriptors) {
   assert(!descriptors.empty());
+  const std::size_t count = descriptors.size();
+  std::vector<int> distances(count * count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const int distance = descriptorDistance(*descriptors[i], *descriptors[j]);
+      distances[i * count + j] = distances[j * count + i] = distance;
+    }
+  }
   std::size_t best = 0;
   int best_median = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < descriptors.size(); ++i) {
-    const int median = medianDistance(descriptors, i);
-    if (median < best_median) {
-      best_median = median;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = distances.begin() + static_cast<std::ptrdiff_t>(i * count);
+    const auto middle = row + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(row, middle, row + static_cast<std::ptrdiff_t>(count));
+    if (*middle < best_median) {
+      best_median = *middle;
       best = i;
     }
   }

@@ -12,6 +12,8 @@ namespace {
 
 // One view does not locate a point.
 constexpr std::size_t kMinObservations = 2;
+// The newest views show what the next one will; the medoid's cost is quadratic.
+constexpr std::size_t kMaxDescriptors = 10;
 
 bool precedes(const Observation& observation, KeyframeId id) { return observation.keyframe < id; }
 
@@ -82,7 +84,8 @@ bool Map::addObservation(LandmarkId id, const Observation& observation) {
   for (const Observation& other : seen) {
     covisibility_.change(observation.keyframe, other.keyframe, 1);
   }
-  seen.insert(place, observation);
+  const std::uint8_t level = keyframe->second.features->feature(slot).level;
+  seen.insert(place, {observation.keyframe, observation.feature, level});
   slots[slot] = id;
   changed_.push_back(id);
   return true;
@@ -185,10 +188,8 @@ void Map::refreshGeometry(LandmarkId id) {
   std::vector<LandmarkSight> sights;
   sights.reserve(landmark->observations.size());
   for (const Observation& observation : landmark->observations) {
-    const Keyframe& keyframe = keyframes_.at(observation.keyframe);
-    const Feature& feature =
-        keyframe.features->feature(static_cast<std::size_t>(observation.feature));
-    sights.push_back({keyframe.T_cam_world.inverse().t, feature.level});
+    const SE3d& T_cam_world = keyframes_.at(observation.keyframe).T_cam_world;
+    sights.push_back({T_cam_world.inverse().t, observation.level});
   }
   const ViewingRange range = viewingRange(landmark->p_world, sights, levels_);
   landmark->normal = range.normal;
@@ -197,9 +198,12 @@ void Map::refreshGeometry(LandmarkId id) {
 }
 
 void Map::refreshDescriptor(Landmark* landmark) const {
+  const std::vector<Observation>& seen = landmark->observations;
+  const std::size_t first = seen.size() - std::min(seen.size(), kMaxDescriptors);
   std::vector<const Descriptor*> descriptors;
-  descriptors.reserve(landmark->observations.size());
-  for (const Observation& observation : landmark->observations) {
+  descriptors.reserve(seen.size() - first);
+  for (std::size_t i = first; i < seen.size(); ++i) {
+    const Observation& observation = seen[i];
     const FeatureSet& features = *keyframes_.at(observation.keyframe).features;
     descriptors.push_back(&features.descriptor(static_cast<std::size_t>(observation.feature)));
   }

@@ -178,7 +178,7 @@ class Search {
         second_distance = std::min(second_distance, distance);
       }
     }
-    if (match.distance > options_.ratio * second_distance) match.b = -1;
+    if (match.distance >= options_.ratio * second_distance) match.b = -1;
     return match;
   }
 

@@ -9,15 +9,10 @@ namespace {
 constexpr int kMinOtherViews = 3;  // as good as this one; enough for a well-conditioned point
 constexpr std::size_t kProtectedNewest = 2;  // what tracking leans on and the mapper still extends
 
-int levelOf(const Map& map, const Observation& observation) {
-  const FeatureSet& features = *map.keyframe(observation.keyframe)->features;
-  return features.feature(static_cast<std::size_t>(observation.feature)).level;
-}
-
-bool isWellSeenElsewhere(const Map& map, const Landmark& landmark, KeyframeId id, int level) {
+bool isWellSeenElsewhere(const Landmark& landmark, KeyframeId id, int level) {
   int others = 0;
   for (const Observation& observation : landmark.observations) {
-    if (observation.keyframe != id && levelOf(map, observation) <= level) ++others;
+    if (observation.keyframe != id && observation.level <= level) ++others;
   }
   return others >= kMinOtherViews;
 }
@@ -30,7 +25,7 @@ bool isRedundant(const Map& map, const Keyframe& keyframe, double ratio) {
     ++total;
     const Landmark& landmark = *map.landmark(keyframe.landmarks[i]);
     const int level = keyframe.features->feature(i).level;
-    if (isWellSeenElsewhere(map, landmark, keyframe.id, level)) ++redundant;
+    if (isWellSeenElsewhere(landmark, keyframe.id, level)) ++redundant;
   }
   return redundant > ratio * total;
 }

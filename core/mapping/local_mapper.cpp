@@ -11,10 +11,17 @@
 
 #include "map/snapshot_builder.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <variant>
 
 namespace glide {
+namespace {
+
+// Keyframes adjusted when another one waits: a mapper that never keeps up still does not drift.
+constexpr int kHurriedWindow = 5;
+
+}  // namespace
 
 struct LocalMapper::Impl {
   MapperState state;
@@ -47,11 +54,14 @@ struct LocalMapper::Impl {
   }
 
   void adjust(KeyframeId id, const std::atomic<bool>* interrupt) {
+    const bool is_hurried = interrupt != nullptr && interrupt->load();
+    const Config::Mapping& config = state.config.mapping;
     BundleOptions options;
-    options.max_iterations = state.config.mapping.ba_iterations;
-    options.cancel = interrupt;
-    adjustWindow(
-        &state, windowAround(state.map, id, state.config.mapping.local_keyframes), options);
+    options.max_iterations = config.ba_iterations;
+    options.cancel = is_hurried ? nullptr : interrupt;  // the small window always gets its turn
+    const int size =
+        is_hurried ? std::min(kHurriedWindow, config.local_keyframes) : config.local_keyframes;
+    adjustWindow(&state, windowAround(state.map, id, size), options);
   }
 
   void publish() {

@@ -1,0 +1,97 @@
+#include "mapping/new_landmarks.h"
+
+#include "mapped_scene.h"
+
+#include "map/map_consistency.h"
+
+#include <gtest/gtest.h>
+
+namespace glide {
+namespace {
+
+using test::MappedScene;
+using test::smallCloud;
+using test::SyntheticCloudOptions;
+using test::walk;
+
+int wrongLandmarks(const MappedScene& scene, const std::vector<LandmarkId>& created) {
+  const auto snapshot = scene.map();
+  const Sim3d S_truth_map = scene.tracker.S_map_truth(*snapshot).inverse();
+  int wrong = 0;
+  for (const LandmarkId id : created) {
+    const auto& landmark = *snapshot->landmark(id);
+    const int corner = scene.tracker.cornerOf(landmark);
+    const Vec3d& truth = scene.cloud.points()[static_cast<std::size_t>(corner)];
+    const double depth = truth.z();
+    if ((S_truth_map * landmark.p_world - truth).norm() > 0.1 * depth) ++wrong;
+  }
+  return wrong;
+}
+
+TEST(NewLandmarks, AreTriangulatedWhereTheCornersAre) {
+  SyntheticCloudOptions options = smallCloud();
+  options.noise_px = 0.3;
+  options.flipped_bits = 8;
+  MappedScene scene(options, {});
+  scene.start();
+  const KeyframeId id = scene.insert(walk(3));
+  const std::vector<LandmarkId> created = createLandmarks(&scene.state, id, nullptr);
+  EXPECT_GT(created.size(), 30U);
+  EXPECT_LE(wrongLandmarks(scene, created), static_cast<int>(created.size() / 50));
+  EXPECT_EQ(checkConsistency(scene.state.map), "");
+}
+
+TEST(NewLandmarks, HaveDescriptorNormalAndScaleRange) {
+  MappedScene scene(smallCloud(), {});
+  scene.start();
+  const KeyframeId id = scene.insert(walk(3));
+  for (const LandmarkId created : createLandmarks(&scene.state, id, nullptr)) {
+    const Landmark& landmark = *scene.state.map.landmark(created);
+    EXPECT_NE(landmark.descriptor, Descriptor{});
+    EXPECT_NEAR(landmark.normal.norm(), 1.0, 1e-9);
+    EXPECT_LT(landmark.min_distance, landmark.max_distance);
+    EXPECT_EQ(landmark.first_keyframe, id);
+  }
+}
+
+TEST(NewLandmarks, NeedABaseline) {
+  MappedScene scene(smallCloud(), {});
+  scene.start();
+  for (const KeyframeId far : {KeyframeId{0}, KeyframeId{1}}) {
+    // Everything but the keyframe itself sits on its place: nothing to triangulate with.
+    scene.state.map.setPose(far, walk(3));
+  }
+  const KeyframeId id = scene.insert(walk(3));
+  scene.state.map.setPose(id, walk(3));
+  EXPECT_TRUE(createLandmarks(&scene.state, id, nullptr).empty());
+}
+
+TEST(NewLandmarks, ComeFromFewerNeighborsWhenAnotherKeyframeWaits) {
+  MappedScene patient(smallCloud(), {});
+  MappedScene hurried(smallCloud(), {});
+  const std::atomic<bool> interrupt{true};
+  std::size_t with_all = 0;
+  std::size_t with_few = 0;
+  for (MappedScene* scene : {&patient, &hurried}) {
+    scene->start();
+    for (int step = 2; step < 9; ++step) scene->insert(walk(step));
+    const bool is_hurried = scene == &hurried;
+    const auto created =
+        createLandmarks(&scene->state, scene->newest(), is_hurried ? &interrupt : nullptr);
+    (is_hurried ? with_few : with_all) = created.size();
+  }
+  EXPECT_GT(with_few, 0U);
+  EXPECT_LT(with_few, with_all);
+}
+
+TEST(MedianDepth, IgnoresWhatIsBehindAndIsZeroForNothing) {
+  MappedScene scene(smallCloud(), {});
+  scene.start();
+  const Keyframe& first = scene.state.map.keyframes().begin()->second;
+  EXPECT_NEAR(medianDepth(scene.state.map, first), 1.0, 1e-9);
+  Keyframe blank;
+  EXPECT_EQ(medianDepth(scene.state.map, blank), 0.0);
+}
+
+}  // namespace
+}  // namespace glide
