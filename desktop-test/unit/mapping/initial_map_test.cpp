@@ -1,6 +1,6 @@
 #include "mapping/initial_map.h"
 
-#include "mapped_scene.h"
+#include "support/mapped_scene.h"
 
 #include "mapping/new_landmarks.h"
 

@@ -1,6 +1,6 @@
 #include "mapping/insertion.h"
 
-#include "mapped_scene.h"
+#include "support/mapped_scene.h"
 
 #include "map/map_consistency.h"
 

@@ -1,6 +1,6 @@
 #include "mapping/local_mapper.h"
 
-#include "mapped_scene.h"
+#include "support/mapped_scene.h"
 
 #include <gtest/gtest.h>
 

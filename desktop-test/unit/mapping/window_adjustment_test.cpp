@@ -1,6 +1,6 @@
 #include "mapping/window_adjustment.h"
 
-#include "mapped_scene.h"
+#include "support/mapped_scene.h"
 
 #include "mapping/fusion.h"
 #include "mapping/new_landmarks.h"
