@@ -12,15 +12,18 @@ namespace {
 
 // Below this many free cameras the reduced camera system is solved densely
 // (docs/decisions/0002-bundle-solver.md).
-constexpr int kMaxDenseCameras = 60;
+constexpr int kMaxDenseCameras = 80;
 
 // The order of elimination: the points, whose part of the system is block-diagonal, go first.
 constexpr int kPointGroup = 0;
 constexpr int kCameraGroup = 1;
 
-// Relative decrease of the cost at which a round ends. It alone decides: Ceres' test on the length
-// of the step would depend on the map's scale and on the number of points.
-constexpr double kFunctionTolerance = 1e-6;
+// Relative decrease of the cost at which a round ends. Huber's cost is mostly the outliers', which
+// creep along and leave with the gate anyway, so those rounds end sooner. This test alone decides:
+// Ceres' test on the length of the step would depend on the map's scale and on the number of
+// points.
+constexpr double kHuberTolerance = 1e-4;
+constexpr double kSquaredTolerance = 1e-6;
 constexpr double kParameterTolerance = 0.0;
 
 class CancelCallback final : public ceres::IterationCallback {
@@ -90,7 +93,8 @@ ceres::Solver::Options solverOptions(const RoundOptions& options, const RoundPro
   ceres_options.linear_solver_ordering = round.ordering;
   ceres_options.initial_trust_region_radius = options.trust_region_radius;
   ceres_options.max_num_iterations = options.max_iterations;
-  ceres_options.function_tolerance = kFunctionTolerance;
+  ceres_options.function_tolerance =
+      options.loss == Loss::huber ? kHuberTolerance : kSquaredTolerance;
   ceres_options.parameter_tolerance = kParameterTolerance;
   ceres_options.num_threads = 1;
   ceres_options.logging_type = ceres::SILENT;

@@ -12,6 +12,7 @@ namespace glide {
 namespace {
 
 constexpr int kRounds = 4;
+constexpr int kLastRound = kRounds - 1;  // without Huber
 constexpr int kMaxIterations = 10;  // per round; two or three are common, a bad guess takes more
 constexpr int kMinInliers = 6;      // twice the three points that a pose needs
 
@@ -56,10 +57,11 @@ NormalEquations linearize(const PoseProblem& problem,
     }
     const double norm = lin->r.norm();
     const double weight = huberWeight(norm, threshold);
-    const Mat26d J_r_pose = leftPoseJacobian(lin->J_r_point, p_cam);
-    const Mat26d weighted = weight * J_r_pose;
-    sum.H.noalias() += weighted.transpose() * J_r_pose;
-    sum.g.noalias() += weighted.transpose() * lin->r;
+    // Transposed, so that the columns of the products are contiguous and the loops vectorise.
+    const Eigen::Matrix<double, 6, 2> Jt = leftPoseJacobian(lin->J_r_point, p_cam).transpose();
+    const Eigen::Matrix<double, 6, 2> weighted = weight * Jt;
+    sum.H.noalias() += weighted.lazyProduct(Jt.transpose());
+    sum.g.noalias() += weighted.lazyProduct(lin->r);
     sum.cost += huberCost(norm, threshold);
   }
   return sum;
@@ -95,22 +97,26 @@ SE3d minimize(const PoseProblem& problem,
   return T_cam_world;
 }
 
-/// Decides anew for every observation; sets inlier, inliers and rms_px of the estimate.
-void gate(const PoseProblem& problem, PoseEstimate* estimate) {
+/// Decides anew for every observation; sets inlier, inliers and rms_px of the estimate. Tells
+/// whether a decision differs from the last one.
+bool gate(const PoseProblem& problem, PoseEstimate* estimate) {
   const Mat3d R_cam_world = estimate->T_cam_world.rotation();
   double sum_chi2 = 0.0;
+  bool changed = false;
   estimate->inliers = 0;
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
     const PoseObservation& o = problem.observations[i];
     const Vec3d p_cam = R_cam_world * o.p_world + estimate->T_cam_world.t;
     const auto r = reprojectionResidual(problem.camera, p_cam, o.uv, o.inv_sigma);
     const bool inside = r && r->squaredNorm() < kChi2_2;
+    changed = changed || estimate->inlier[i] != inside;
     estimate->inlier[i] = inside;
     if (!inside) continue;
     ++estimate->inliers;
     sum_chi2 += r->squaredNorm();
   }
   estimate->rms_px = estimate->inliers > 0 ? std::sqrt(sum_chi2 / estimate->inliers) : 0.0;
+  return changed;
 }
 
 /// All six directions are held by the observations.
@@ -131,10 +137,12 @@ PoseEstimate optimizePose(const CameraModel& camera,
   estimate.T_cam_world = T_cam_world_guess;
   estimate.inlier.assign(observations.size(), true);
   estimate.inliers = static_cast<int>(observations.size());
-  for (int round = 0; round < kRounds && estimate.inliers >= kMinInliers; ++round) {
-    const Loss loss = round + 1 < kRounds ? Loss::huber : Loss::squared;
+  for (int round = 0; round < kRounds && estimate.inliers >= kMinInliers;) {
+    const Loss loss = round < kLastRound ? Loss::huber : Loss::squared;
     estimate.T_cam_world = minimize(problem, estimate.inlier, loss, estimate.T_cam_world);
-    gate(problem, &estimate);
+    const bool changed = gate(problem, &estimate);
+    // A further round with Huber would find the same optimum of the same observations.
+    round = changed || round == kLastRound ? round + 1 : kLastRound;
   }
   if (estimate.inliers < kMinInliers) return estimate;
   estimate.H = linearize(problem, estimate.inlier, Loss::squared, estimate.T_cam_world).H;

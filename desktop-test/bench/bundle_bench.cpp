@@ -31,14 +31,16 @@ void BM_LocalBundle(benchmark::State& state, DistortionModel distortion) {
   const CameraModel camera = test::syntheticCamera(distortion);
   const test::BundleCase start = localCase(camera, int(state.range(0)));
   BundleSummary summary;
+  test::BundleCase solved = start;
   for ([[maybe_unused]] auto _ : state) {
-    BundleProblem problem = start.problem;
-    summary = solveBundle(camera, {}, &problem);
+    solved.problem = start.problem;
+    summary = solveBundle(camera, {}, &solved.problem);
   }
   state.counters["observations"] = double(start.problem.observations.size());
   state.counters["iterations"] = summary.iterations;
   state.counters["outliers"] = summary.outliers;
   state.counters["final_cost"] = summary.final_cost;
+  state.counters["camera_error"] = test::worstCameraError(solved);
 }
 
 BENCHMARK_CAPTURE(BM_LocalBundle, radtan, DistortionModel::radial_tangential)

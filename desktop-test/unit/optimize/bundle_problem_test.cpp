@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 namespace glide {
 namespace {
@@ -183,6 +185,32 @@ TEST_F(BundleBehaviour, ChangesNothingWhenCancelledBeforeTheStart) {
   EXPECT_TRUE(summary.cancelled);
   EXPECT_FALSE(summary.usable);
   EXPECT_TRUE(same(before, c.problem));
+}
+
+TEST_F(BundleBehaviour, LeavesAValidStateWheneverItIsCancelled) {
+  // Another thread sets the flag after a while that differs from trial to trial: before, in and
+  // after the solve. What must hold does not depend on when.
+  const BundleCase start = makeBundleCase(
+      camera_, {.cameras = 10, .points = 300, .noise_px = 0.5, .outlier_share = 0.1});
+  for (int trial = 0; trial < 12; ++trial) {
+    BundleProblem problem = start.problem;
+    std::atomic<bool> cancel{false};
+    std::atomic<int> counter{0};
+    std::thread canceller([&] {
+      while (counter.fetch_add(1) < trial * 200000) {
+      }
+      cancel = true;
+    });
+    const BundleSummary summary = solveBundle(camera_, {.cancel = &cancel}, &problem);
+    canceller.join();
+    EXPECT_TRUE(summary.usable || (summary.cancelled && same(problem, start.problem)));
+    EXPECT_LE(summary.final_cost, summary.initial_cost);
+    for (const Vec3d& p_world : problem.points) EXPECT_TRUE(p_world.allFinite());
+    for (const BundleProblem::Camera& c : problem.cameras) {
+      EXPECT_NEAR(c.T_cam_world.q.norm(), 1.0, 1e-12);
+      EXPECT_TRUE(c.T_cam_world.t.allFinite());
+    }
+  }
 }
 
 TEST_F(BundleBehaviour, IsNotUsableWithoutObservations) {
