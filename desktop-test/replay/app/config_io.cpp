@@ -179,7 +179,9 @@ Status applyConfigFile(const std::filesystem::path& file, Config& config) {
 
 std::string configYaml(const Config& config) {
   std::string text, section;
+  const bool has_camera = config.camera.fx > 0.0;
   forEachField(config, [&](const FieldInfo& field, const auto& value) {
+    if (!has_camera && field.name.rfind("camera.", 0) == 0) return;
     const std::size_t dot = field.name.find('.');
     const bool is_nested = dot != std::string_view::npos;
     const std::string parent(is_nested ? field.name.substr(0, dot) : "");

@@ -17,7 +17,8 @@ Status applySetting(const std::string& key_value, Config& config);
 /// ("direct.levels: 5"). io naming file, line and field.
 Status applyConfigFile(const std::filesystem::path& file, Config& config);
 
-/// All fields as YAML, with units and ranges as comments; applyConfigFile reads it back.
+/// All fields as YAML, with units and ranges as comments; applyConfigFile reads it back. The camera
+/// only when there is one.
 std::string configYaml(const Config& config);
 
 }  // namespace glide::replay

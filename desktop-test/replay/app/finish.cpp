@@ -50,7 +50,7 @@ std::optional<Failure> runFrames(Job& job) {
   const Status status = replayFrames(*job.source.frames, *job.session, observers, run);
   if (!status)
     return Failure{kUnreadableInput, "the session refused a frame: " + status.error().message};
-  for (const Skip& skip : run.skips) job.log.say(describe(skip, run.source.listed));
+  for (const Skip& skip : run.skips) job.log.note(describe(skip, run.source.listed));
   return std::nullopt;
 }
 

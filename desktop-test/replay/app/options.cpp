@@ -19,44 +19,54 @@ struct Raw {
   bool deterministic = false;
 };
 
+/// A validator whose own description stays out of --help; type_name() says it shorter.
+CLI::Validator plain(CLI::Validator validator) { return validator.description(""); }
+
 void addInputs(CLI::App& app, Raw& raw) {
   Options& options = raw.options;
   app.add_option("SOURCE",
                  options.source,
                  "TUM RGB-D folder, EuRoC ASL folder, video file or folder of images;\n"
-                 "a prefix tum: euroc: video: images: forces the kind");
+                 "a prefix tum: euroc: video: images: forces the kind")
+      ->type_name("");
   app.add_option("-c,--calibration",
                  options.calibration,
                  "EuRoC, Kalibr, ORB-SLAM, stella or own YAML, or a preset\n"
-                 "freiburg1|2|3 (default: what lies beside the source)");
+                 "freiburg1|2|3 (default: what lies beside the source)")
+      ->type_name("FILE|PRESET");
   app.add_option("--gt", options.groundtruth, "ground truth, TUM text or EuRoC csv")
       ->type_name("FILE");
   app.add_option("--start", options.selection.start_s, "seconds to skip at the start")
-      ->check(CLI::NonNegativeNumber)
+      ->check(plain(CLI::NonNegativeNumber))
       ->type_name("S");
   app.add_option("--duration", options.selection.duration_s, "seconds to replay")
-      ->check(CLI::PositiveNumber)
+      ->check(plain(CLI::PositiveNumber))
       ->type_name("S");
   app.add_option("--stride", options.selection.stride, "use every N-th frame")
-      ->check(CLI::Range(1, 1000000))
+      ->check(plain(CLI::Range(1, 1000000)))
       ->type_name("N");
   app.add_option("--max-frames", options.selection.max_frames, "stop after N frames")
-      ->check(CLI::Range(1, 1000000000))
+      ->check(plain(CLI::Range(1, 1000000000)))
       ->type_name("N");
   app.add_option("--fps",
                  options.fps,
                  "frame rate of an image folder or video (default: from file\n"
                  "names or container, else 30)")
-      ->check(CLI::Range(0.01, 10000.0))
+      ->check(plain(CLI::Range(0.01, 10000.0)))
       ->type_name("F");
 }
 
 void addTracking(CLI::App& app, Raw& raw) {
   Options& options = raw.options;
-  app.add_option("--backend", raw.backend, "where the direct tracker runs: auto, gles or cpu")
-      ->check(CLI::IsMember({"auto", "gles", "cpu"}));
-  app.add_option("--tracker", raw.tracker, "hybrid, or indirect for every frame")
-      ->check(CLI::IsMember({"hybrid", "indirect"}));
+  app.add_option(
+         "--backend",
+         raw.backend,
+         "where the direct tracker runs; auto: gles on hardware GL, else cpu\n(default: auto)")
+      ->check(plain(CLI::IsMember({"auto", "gles", "cpu"})))
+      ->type_name("auto|gles|cpu");
+  app.add_option("--tracker", raw.tracker, "hybrid, or indirect for every frame (default: hybrid)")
+      ->check(plain(CLI::IsMember({"hybrid", "indirect"})))
+      ->type_name("hybrid|indirect");
   app.add_flag("--deterministic",
                raw.deterministic,
                "mapping inline: the same bytes on every run (default: threads)");
@@ -66,7 +76,7 @@ void addTracking(CLI::App& app, Raw& raw) {
                  options.pace,
                  "lossless: the next frame waits until the mapper has room;\n"
                  "realtime: by timestamps, late frames drop (default: lossless)")
-      ->transform(CLI::CheckedTransformer(paces).description(""))
+      ->transform(plain(CLI::CheckedTransformer(paces)))
       ->type_name("lossless|realtime");
   app.add_option("--patch", raw.patch, "patch size of the direct tracker, px, odd")->type_name("N");
   app.add_option("--levels", raw.levels, "pyramid levels of the direct tracker")->type_name("N");
@@ -91,20 +101,20 @@ void addOutputs(CLI::App& app, Raw& raw) {
                  options.trajectory_frame,
                  "whose poses the trajectories tell; body needs T_BS in the\n"
                  "calibration and ground truth for its scale (default: cam)")
-      ->transform(CLI::CheckedTransformer(frames).description(""))
+      ->transform(plain(CLI::CheckedTransformer(frames)))
       ->type_name("cam|body");
   const std::map<std::string, Progress> progress = {
       {"auto", Progress::automatic}, {"plain", Progress::plain}, {"none", Progress::none}};
   app.add_option("--progress",
                  options.progress,
                  "auto: a bar on a terminal, else plain lines (default: auto)")
-      ->transform(CLI::CheckedTransformer(progress).description(""))
+      ->transform(plain(CLI::CheckedTransformer(progress)))
       ->type_name("auto|plain|none");
   app.add_flag("--json", options.json, "print stats.json on stdout; all else goes to stderr");
   app.add_option("--require-tracked",
                  options.require_tracked,
                  "exit with 5 when the tracked ratio is lower")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(plain(CLI::Range(0.0, 1.0)))
       ->type_name("R");
 }
 
@@ -126,7 +136,7 @@ Options toOptions(Raw raw) {
 }
 
 constexpr const char* kFooter =
-    "\nExit status: 0 ok, 1 usage, 2 unreadable input, 3 GL asked for and unavailable,\n"
+    "Exit status: 0 ok, 1 usage, 2 unreadable input, 3 GL asked for and unavailable,\n"
     "4 never initialised, 5 below --require-tracked.";
 
 }  // namespace
@@ -136,7 +146,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   CLI::App app("Replay a sequence through GLidE-SLAM and write trajectory, statistics and log.",
                "glide replay");
   app.footer(kFooter);
-  app.get_formatter()->column_width(34);
+  app.get_formatter()->column_width(36);
   app.set_version_flag("--version",
                        std::to_string(GLIDE_VERSION_MAJOR) + "." +
                            std::to_string(GLIDE_VERSION_MINOR) + "." +

@@ -59,6 +59,20 @@ std::optional<DistortionModel> orbModel(OrbFields& fields) {
   return std::nullopt;
 }
 
+/// ORB-SLAM's files for cameras with an IMU: an OpenCV matrix of the pose of the camera in the
+/// body.
+void readOrbExtrinsics(YamlReader& yaml, Calibration& calibration) {
+  const YAML::Node root = yaml.root();
+  for (const char* key : {"IMU.T_b_c1", "Tbc"}) {
+    const YAML::Node matrix = root[key];
+    if (!matrix.IsDefined() || !matrix.IsMap()) continue;
+    if (const auto data = yaml.numbers(matrix, "data", 16)) {
+      calibration.T_body_cam = rigidTransform(yaml, matrix, key, *data);
+    }
+    return;
+  }
+}
+
 }  // namespace
 
 Calibration readOrbCalibration(YamlReader& yaml) {
@@ -86,6 +100,7 @@ Calibration readOrbCalibration(YamlReader& yaml) {
     if (k3 != 0.0) k.push_back(k3);
     setDistortion(camera, *model, k);
   }
+  readOrbExtrinsics(yaml, calibration);
   return calibration;
 }
 

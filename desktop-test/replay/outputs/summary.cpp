@@ -12,17 +12,23 @@ std::string row(const std::string& label, const std::string& text) {
 }
 
 std::string header(const RunRecord& run) {
-  const std::string title =
-      fmt::format("{}  {}x{}", run.source.name, run.source.width, run.source.height);
   const Config& config = run.config;
-  return fmt::format("\n{}  |  {} {}, {}, patch {}, {} levels, {}\n\n",
-                     title,
-                     enumName(run.backend.backend),
-                     run.backend.renderer.empty() ? "" : "(" + run.backend.renderer + ")",
-                     enumName(config.tracker),
-                     config.direct.patch_size,
-                     config.direct.levels,
-                     config.execution == Execution::inline_ ? "deterministic" : "threaded");
+  const std::string& renderer = run.backend.renderer;
+  std::string tracker(enumName(config.tracker));
+  if (config.tracker == TrackerMode::hybrid) {
+    tracker += fmt::format(" on {}{}, patch {}, {} levels",
+                           enumName(run.backend.backend),
+                           renderer.empty() ? "" : " (" + renderer + ")",
+                           config.direct.patch_size,
+                           config.direct.levels);
+  }
+  return fmt::format("\n{}  {}x{}  |  {}  |  {}, {}\n\n",
+                     run.source.name,
+                     run.source.width,
+                     run.source.height,
+                     tracker,
+                     config.execution == Execution::inline_ ? "deterministic" : "threaded",
+                     run.pace == Pace::lossless ? "lossless" : "realtime");
 }
 
 std::string frameRows(const RunRecord& run, const FrameCounts& counts) {
@@ -53,7 +59,8 @@ std::string meters(const std::optional<AbsoluteError>& error) {
   return error ? fmt::format("{:.4f}", error->rmse_m) : "-";
 }
 
-std::string accuracyRows(const std::optional<Accuracy>& accuracy) {
+std::string accuracyRows(const FrameCounts& counts, const std::optional<Accuracy>& accuracy) {
+  if (counts.tracked == 0) return "";
   if (!accuracy) return row("accuracy", "no ground truth");
   if (!accuracy->final_error) {
     return row("accuracy",
@@ -90,11 +97,11 @@ std::string costRows(const RunRecord& run) {
                              "   " + spreadText("all", updateSpread(run, std::nullopt)) + ratio);
   int keyframes = 0;
   for (const MapView::Keyframe& keyframe : run.map->keyframes) keyframes += !keyframe.retired;
-  text += row("map",
-              fmt::format("{} keyframes, {} landmarks, started over {} times",
-                          keyframes,
-                          run.map->landmarks.size(),
-                          run.map->resets));
+  const std::string resets =
+      run.map->resets > 0 ? fmt::format(", started over {} times", run.map->resets) : "";
+  text += row(
+      "map",
+      fmt::format("{} keyframes, {} landmarks{}", keyframes, run.map->landmarks.size(), resets));
   return text + row("wall", fmt::format("{:.1f} s", run.wall_s));
 }
 
@@ -122,8 +129,9 @@ std::string initializationHint(const RunRecord& run) {
 }
 
 std::string summaryText(const SummaryInput& input) {
-  return header(input.run) + frameRows(input.run, input.counts) + accuracyRows(input.accuracy) +
-         costRows(input.run) + row("output", input.output.string());
+  return header(input.run) + frameRows(input.run, input.counts) +
+         accuracyRows(input.counts, input.accuracy) + costRows(input.run) +
+         row("output", input.output.string());
 }
 
 }  // namespace glide::replay
