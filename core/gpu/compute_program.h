@@ -1,0 +1,33 @@
+#pragma once
+
+#include "gpu/gl_objects.h"
+#include "gpu/shader_source.h"
+
+#include <string>
+#include <string_view>
+
+namespace glide {
+
+/// A compute shader of shaders/, compiled and linked. Owned by the GL thread.
+class ComputeProgram {
+ public:
+  /// Builds shaders/`name`. An error holds the driver's log.
+  static Result<ComputeProgram> create(std::string_view name, const ShaderDefines& defines);
+  /// Builds from a text that assembleShader made; `name` is for messages.
+  static Result<ComputeProgram> compile(std::string_view name, const std::string& text);
+
+  void use() const { glUseProgram(program_.get()); }
+  GLuint get() const { return program_.get(); }
+  void abandon() { program_.abandon(); }
+
+ private:
+  explicit ComputeProgram(GlProgram program) : program_(std::move(program)) {}
+  GlProgram program_;
+};
+
+/// Workgroups of `group_size` that cover `items`.
+inline GLuint groupCount(int items, int group_size) {
+  return static_cast<GLuint>((items + group_size - 1) / group_size);
+}
+
+}  // namespace glide

@@ -1,0 +1,126 @@
+#include "gpu/gpu_aligner.h"
+
+#include "gpu/gl_state.h"
+
+#include "image/pyramid.h"
+
+#include <string>
+
+namespace glide {
+namespace {
+
+std::optional<Error> checkLimits(const GlCaps& caps, const GpuAlignSpec& spec) {
+  if (spec.group_size != 32 && spec.group_size != 64 && spec.group_size != 128) {
+    return Error{ErrorCode::invalid_argument, "group_size must be 32, 64 or 128"};
+  }
+  const int longest = std::max(spec.camera.width(), spec.camera.height());
+  if (longest > caps.max_texture_size) {
+    return Error{ErrorCode::unsupported,
+                 "images of " + std::to_string(longest) + " px exceed GL_MAX_TEXTURE_SIZE " +
+                     std::to_string(caps.max_texture_size)};
+  }
+  if (pixelCacheBytes(spec) > caps.max_storage_bytes) {
+    return Error{ErrorCode::unsupported,
+                 "direct.max_points x patch_size^2 x levels needs " +
+                     std::to_string(pixelCacheBytes(spec)) +
+                     " bytes, more than GL_MAX_SHADER_STORAGE_BLOCK_SIZE " +
+                     std::to_string(caps.max_storage_bytes)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Aligner>> GpuAligner::create(const GlCaps& caps,
+                                                    const Config::Direct& direct,
+                                                    const CameraModel& camera) {
+  return createTuned(caps, direct, camera, GpuTuning{});
+}
+
+Result<std::unique_ptr<Aligner>> GpuAligner::createTuned(const GlCaps& caps,
+                                                         const Config::Direct& direct,
+                                                         const CameraModel& camera,
+                                                         const GpuTuning& tuning) {
+  const int levels = pyramidLevels(camera.width(), camera.height(), direct.levels);
+  const GpuAlignSpec spec{direct, camera, levels, tuning.group_size};
+  if (std::optional<Error> error = checkLimits(caps, spec)) return *std::move(error);
+  const ScopedGlState state;
+  drainGlErrors();
+  Result<Stages> stages = createStages(spec);
+  if (!stages) return stages.error();
+  GpuTimer timer = GpuTimer::create(caps);
+  if (std::optional<Error> error = takeGlError("creating the GPU aligner")) {
+    return *std::move(error);
+  }
+  return std::unique_ptr<Aligner>(new GpuAligner(std::move(*stages), std::move(timer)));
+}
+
+Result<GpuAligner::Stages> GpuAligner::createStages(const GpuAlignSpec& spec) {
+  const int width = spec.camera.width();
+  const int height = spec.camera.height();
+  Result<LumaUpload> upload = LumaUpload::create(width, height, spec.group_size);
+  if (!upload) return upload.error();
+  Result<PyramidPass> pyramid = PyramidPass::create(spec.group_size);
+  if (!pyramid) return pyramid.error();
+  Result<GpuReference> reference = GpuReference::create(spec);
+  if (!reference) return reference.error();
+  Result<AlignLoop> loop = AlignLoop::create(spec);
+  if (!loop) return loop.error();
+
+  GlBuffer constants = GlBuffer::allocate(sizeof(GpuAlignConstants), GL_STATIC_DRAW);
+  const GpuAlignConstants values = alignConstants(spec);
+  constants.write(&values, sizeof(values));
+  return Stages{std::move(constants),
+                std::move(*upload),
+                GpuPyramid::allocate(width, height, spec.levels),
+                std::move(*pyramid),
+                std::move(*reference),
+                std::move(*loop)};
+}
+
+void GpuAligner::bindConstants() const {
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, stages_.constants.get());
+}
+
+void GpuAligner::loadFrame(const ImageViewU8& luma) {
+  const ScopedGlState state;
+  beginGlPass();
+  timer_.begin(GpuTimer::Stage::pyramid);
+  stages_.upload.run(luma, stages_.frame.levels.front());
+  stages_.pyramid.run(stages_.frame);
+  timer_.end(GpuTimer::Stage::pyramid);
+  has_frame_ = true;
+  assertNoGlError("GpuAligner::loadFrame");
+}
+
+void GpuAligner::promoteReference(std::span<const AlignPoint> points_ref) {
+  assert(has_frame_);
+  const ScopedGlState state;
+  beginGlPass();
+  timer_.begin(GpuTimer::Stage::precompute);
+  bindConstants();
+  stages_.reference.precompute(stages_.frame, points_ref);
+  timer_.end(GpuTimer::Stage::precompute);
+  has_reference_ = true;
+  assertNoGlError("GpuAligner::promoteReference");
+}
+
+AlignResult GpuAligner::align(const SE3d& T_cam_ref_guess) {
+  AlignResult refused;
+  refused.T_cam_ref = T_cam_ref_guess;
+  if (!has_frame_ || !has_reference_) return refused;
+  const ScopedGlState state;
+  beginGlPass();
+  timer_.begin(GpuTimer::Stage::align);
+  bindConstants();
+  stages_.loop.start(T_cam_ref_guess);
+  stages_.loop.run(stages_.frame, stages_.reference);
+  if (timer_.usesQueries()) timer_.end(GpuTimer::Stage::align);  // before the fence that brings it
+  const std::optional<GpuAlignState> finished = stages_.loop.finish();
+  if (!timer_.usesQueries()) timer_.end(GpuTimer::Stage::align);  // the wait is the time
+  timer_.collect();
+  assertNoGlError("GpuAligner::align");
+  return finished ? toResult(*finished) : refused;
+}
+
+}  // namespace glide

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "gpu/align_layout.h"
+#include "gpu/align_loop.h"
+#include "gpu/gl_caps.h"
+#include "gpu/gpu_pyramid.h"
+#include "gpu/gpu_reference.h"
+#include "gpu/gpu_timer.h"
+#include "gpu/luma_upload.h"
+#include "photometric/aligner.h"
+
+#include <memory>
+
+namespace glide {
+
+/// What a device may be tuned by.
+struct GpuTuning {
+  int group_size = 64;  ///< invocations per workgroup: 32, 64 or 128
+};
+
+/// Aligner on OpenGL ES 3.1 compute: the contract of docs/algorithms/photometric-alignment.md in
+/// float. Lives on the GL thread: the context of create() is current in every call and on
+/// destruction. Each call leaves the app's GL state as it found it (ScopedGlState,
+/// docs/gl-contract.md); only align() waits, once, and reads back once. The reference keeps no
+/// pyramid of its own: promoteReference reads the frame's.
+class GpuAligner final : public Aligner {
+ public:
+  /// unsupported when a limit of the context is too small for the configuration, gl when a shader
+  /// does not build or memory runs out.
+  static Result<std::unique_ptr<Aligner>> create(const GlCaps& caps,
+                                                 const Config::Direct& direct,
+                                                 const CameraModel& camera);
+  /// The same with a group size of the caller's choice.
+  static Result<std::unique_ptr<Aligner>> createTuned(const GlCaps& caps,
+                                                      const Config::Direct& direct,
+                                                      const CameraModel& camera,
+                                                      const GpuTuning& tuning);
+
+  void loadFrame(const ImageViewU8& luma) override;
+  void promoteReference(std::span<const AlignPoint> points_ref) override;
+  bool hasReference() const override { return has_reference_; }
+  /// Not valid, with the guess as its pose, before a frame and a reference are there and when the
+  /// GPU does not answer.
+  AlignResult align(const SE3d& T_cam_ref_guess) override;
+  /// See GpuTimer for what the numbers mean.
+  AlignTimes times() const override { return timer_.times(); }
+
+ private:
+  /// Everything that lives on the GPU.
+  struct Stages {
+    GlBuffer constants;
+    LumaUpload upload;
+    GpuPyramid frame;
+    PyramidPass pyramid;
+    GpuReference reference;
+    AlignLoop loop;
+  };
+  static Result<Stages> createStages(const GpuAlignSpec& spec);
+  GpuAligner(Stages stages, GpuTimer timer)
+      : stages_(std::move(stages)), timer_(std::move(timer)) {}
+  void bindConstants() const;
+
+  Stages stages_;
+  GpuTimer timer_;
+  bool has_frame_ = false;
+  bool has_reference_ = false;
+};
+
+}  // namespace glide

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "gpu/align_layout.h"
+#include "gpu/compute_program.h"
+#include "gpu/gpu_pyramid.h"
+#include "photometric/align_types.h"
+
+#include <span>
+#include <vector>
+
+namespace glide {
+
+/// The inverse-compositional cache of one reference, on the GPU (shaders/align_precompute.comp).
+class GpuReference {
+ public:
+  static Result<GpuReference> create(const GpuAlignSpec& spec);
+
+  /// Describes the first max_points of `points_ref` in the reference's pyramid, all levels. The
+  /// caller has bound the constants to uniform binding 0. Barriered for shader storage reads.
+  void precompute(const GpuPyramid& pyramid, std::span<const AlignPoint> points_ref);
+
+  int pointCount() const { return point_count_; }
+  /// GpuPointRecord [level][max_points].
+  const GlBuffer& records() const { return records_; }
+  /// Floats [level][pixel][e gx gy][max_points].
+  const GlBuffer& pixels() const { return pixels_; }
+
+ private:
+  GpuReference(ComputeProgram kernel, const GpuAlignSpec& spec);
+
+  ComputeProgram kernel_;
+  int group_size_;
+  GlBuffer points_, records_, pixels_;
+  std::vector<float> staging_;  ///< points as the kernel wants them
+  int point_count_ = 0;
+};
+
+}  // namespace glide

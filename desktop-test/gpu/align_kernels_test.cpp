@@ -1,0 +1,237 @@
+// Each alignment kernel against its scalar twin, for every group size and patch size.
+#include "gpu/align_fixture.h"
+#include "gpu/align_loop.h"
+#include "gpu/align_twin.h"
+#include "gpu/gl_state.h"
+#include "gpu/gpu_reference.h"
+#include "gpu/luma_upload.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+
+namespace glide::test {
+namespace {
+
+constexpr int kLevels = 3;
+
+/// Of the Cauchy-Schwarz bound of each sum: what float sums of a few hundred terms and a pixel
+/// position in float leave.
+constexpr double kSumTolerance = 1e-3;
+
+/// (group size, patch size)
+using Variant = std::tuple<int, int>;
+
+class AlignKernelsTest : public GlTest, public ::testing::WithParamInterface<Variant> {
+ protected:
+  GpuAlignSpec spec(const CameraModel& camera) const {
+    Config::Direct direct;
+    std::tie(std::ignore, direct.patch_size) = GetParam();
+    direct.max_points = pointCount() + 3;  // not a multiple of anything
+    return {direct, camera, kLevels, std::get<0>(GetParam())};
+  }
+  AlignScene scene(DistortionModel model) const {
+    return makeAlignScene(
+        {model, imageWidth(), imageHeight(), pointCount(), smallMotion(), {1.2, -9.0}});
+  }
+};
+
+/// The GPU's side of the kernels, fed with images.
+struct KernelRig {
+  GlBuffer constants;
+  LumaUpload upload;
+  PyramidPass pass;
+  GpuPyramid pyramid;
+  GpuReference reference;
+  AlignLoop loop;
+
+  void load(const ImageU8& image) const {
+    upload.run(image.view(), pyramid.levels.front());
+    pass.run(pyramid);
+  }
+};
+
+KernelRig makeRig(const GpuAlignSpec& spec) {
+  const int width = spec.camera.width();
+  const int height = spec.camera.height();
+  GlBuffer constants = makeBuffer(std::vector<GpuAlignConstants>{alignConstants(spec)});
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, constants.get());
+  return {std::move(constants),
+          LumaUpload::create(width, height, spec.group_size).value(),
+          PyramidPass::create(spec.group_size).value(),
+          GpuPyramid::allocate(width, height, spec.levels),
+          GpuReference::create(spec).value(),
+          AlignLoop::create(spec).value()};
+}
+
+std::vector<TwinPoint> describeAll(const AlignScene& scene, const GpuAlignSpec& spec, int level) {
+  const Pyramid pyramid = scene.referencePyramid(spec.levels);
+  std::vector<TwinPoint> points;
+  for (const AlignPoint& point : scene.points_ref) {
+    points.push_back(describeTwin(pyramid.levels[static_cast<std::size_t>(level)],
+                                  spec.camera.atLevel(level),
+                                  point.p_ref,
+                                  spec.direct.patch_size));
+  }
+  return points;
+}
+
+void expectClose(double actual, double expected, double bound) {
+  EXPECT_NEAR(actual, expected, kSumTolerance * (bound + 1.0));
+}
+
+void expectSameRecord(const GpuPointRecord& gpu, const TwinPoint& twin) {
+  ASSERT_EQ(gpu.p_ref[3] > 0.5F, twin.valid);
+  if (!twin.valid) return;
+  const double n = static_cast<double>(twin.pixels.size());
+  EXPECT_NEAR(gpu.moments[0], twin.m0, 0.01);
+  expectClose(gpu.moments[1], twin.E, twin.E);
+  expectClose(gpu.moments[2], twin.Ex, std::sqrt(twin.E * twin.Gxx));
+  expectClose(gpu.moments[3], twin.Ey, std::sqrt(twin.E * twin.Gyy));
+  expectClose(gpu.gradients[0], twin.Gx, std::sqrt(n * twin.Gxx));
+  expectClose(gpu.gradients[1], twin.Gy, std::sqrt(n * twin.Gyy));
+  expectClose(gpu.gradients[2], twin.Gxx, twin.Gxx);
+  expectClose(gpu.gradients[3], twin.Gxy, std::sqrt(twin.Gxx * twin.Gyy));
+  expectClose(gpu.rest[0], twin.Gyy, twin.Gyy);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NEAR(gpu.jx_jy[i], twin.Jx[i], 1e-4 * twin.Jx.norm());
+    EXPECT_NEAR(gpu.jx_jy[6 + i], twin.Jy[i], 1e-4 * twin.Jy.norm());
+  }
+}
+
+TEST_P(AlignKernelsTest, PrecomputeMatchesTwinOnEveryLevel) {
+  const AlignScene scene = this->scene(DistortionModel::radial_tangential);
+  const GpuAlignSpec spec = this->spec(scene.camera);
+  const ScopedGlState state;
+  KernelRig rig = makeRig(spec);
+  rig.load(scene.reference);
+  rig.reference.precompute(rig.pyramid, scene.points_ref);
+  const auto records = readBuffer<GpuPointRecord>(rig.reference.records());
+  const auto pixels = readBuffer<float>(rig.reference.pixels());
+  const int n = spec.direct.patch_size * spec.direct.patch_size;
+  int valid = 0;
+  for (int level = 0; level < kLevels; ++level) {
+    const std::vector<TwinPoint> twins = describeAll(scene, spec, level);
+    for (std::size_t i = 0; i < twins.size(); ++i) {
+      SCOPED_TRACE(i);
+      expectSameRecord(records[static_cast<std::size_t>(level * spec.direct.max_points) + i],
+                       twins[i]);
+      if (!twins[i].valid) continue;
+      ++valid;
+      for (int k = 0; k < n; ++k) {
+        for (int c = 0; c < 3; ++c) {
+          const auto at =
+              static_cast<std::size_t>(((level * n + k) * 3 + c) * spec.direct.max_points) + i;
+          ASSERT_NEAR(pixels[at], twins[i].pixels[static_cast<std::size_t>(k)][c], 0.02);
+        }
+      }
+    }
+  }
+  EXPECT_GT(valid, pointCount());
+}
+
+TEST_P(AlignKernelsTest, ResidualSumsMatchTwin) {
+  const AlignScene scene = this->scene(DistortionModel::kannala_brandt4);
+  const GpuAlignSpec spec = this->spec(scene.camera);
+  const ScopedGlState state;
+  KernelRig rig = makeRig(spec);
+  rig.load(scene.reference);
+  rig.reference.precompute(rig.pyramid, scene.points_ref);
+  rig.load(scene.frame);
+  const Pyramid frame = scene.framePyramid(kLevels);
+  for (int level = 0; level < kLevels; ++level) {
+    rig.loop.start(scene.T_cam_ref);
+    rig.loop.residual(rig.pyramid, rig.reference, level);
+    const auto sums = readBuffer<GpuPointSums>(rig.loop.sums());
+    const std::vector<TwinPoint> points = describeAll(scene, spec, level);
+    int visible = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      SCOPED_TRACE(i);
+      const TwinPoint& p = points[i];
+      const TwinSums twin = sumTwin(frame.levels[static_cast<std::size_t>(level)],
+                                    spec.camera.atLevel(level),
+                                    scene.T_cam_ref,
+                                    p);
+      ASSERT_EQ(sums[i].rest[1] > 0.5F, twin.visible);
+      visible += twin.visible ? 1 : 0;
+      const double n = static_cast<double>(p.pixels.size());
+      expectClose(sums[i].intensity[0], twin.s1, std::sqrt(n * twin.s2));
+      expectClose(sums[i].intensity[1], twin.s2, twin.s2);
+      expectClose(sums[i].intensity[2], twin.sc, std::sqrt(twin.s2 * p.E));
+      expectClose(sums[i].intensity[3], twin.sx, std::sqrt(twin.s2 * p.Gxx));
+      expectClose(sums[i].rest[0], twin.sy, std::sqrt(twin.s2 * p.Gyy));
+    }
+    EXPECT_GT(visible, pointCount() / 4) << "level " << level;
+  }
+}
+
+TEST_P(AlignKernelsTest, SolveMatchesTwinOverThreeIterations) {
+  const AlignScene scene = this->scene(DistortionModel::none);
+  const Pyramid frame = scene.framePyramid(kLevels);
+  for (const auto& [photometric, hessian] :
+       {std::pair{PhotometricModel::gain_bias, HessianMode::robust},
+        std::pair{PhotometricModel::gain_bias, HessianMode::constant},
+        std::pair{PhotometricModel::none, HessianMode::robust}}) {
+    GpuAlignSpec spec = this->spec(scene.camera);
+    spec.direct.photometric = photometric;
+    spec.direct.hessian = hessian;
+    spec.direct.convergence = 1e-12;  // never ends the level
+    const ScopedGlState gl_state;
+    KernelRig rig = makeRig(spec);
+    rig.load(scene.reference);
+    rig.reference.precompute(rig.pyramid, scene.points_ref);
+    const std::vector<TwinPoint> points = describeAll(scene, spec, 0);
+    std::vector<GpuPointRecord> records;
+    for (const TwinPoint& point : points) records.push_back(packRecord(point));
+    rig.reference.records().write(
+        records.data(), static_cast<std::int64_t>(records.size() * sizeof(GpuPointRecord)));
+
+    TwinState twin;
+    twin.weights.assign(points.size(), 1.0);
+    rig.loop.start(twin.T_cam_ref);
+    for (int iteration = 1; iteration <= 3; ++iteration) {
+      SCOPED_TRACE(iteration);
+      std::vector<TwinSums> sums;
+      std::vector<GpuPointSums> packed;
+      for (const TwinPoint& point : points) {
+        sums.push_back(sumTwin(frame.levels[0], scene.camera, twin.T_cam_ref, point));
+        packed.push_back(packSums(sums.back()));
+      }
+      rig.loop.sums().write(packed.data(),
+                            static_cast<std::int64_t>(packed.size() * sizeof(GpuPointSums)));
+      rig.loop.solve(rig.reference, 0);
+      const AlignResult gpu = toResult(readBuffer<GpuAlignState>(rig.loop.state()).front());
+      ASSERT_TRUE(solveTwin(points, sums, spec.direct, &twin));
+      ASSERT_TRUE(gpu.valid);
+      EXPECT_EQ(gpu.iterations[0], iteration);
+      EXPECT_EQ(gpu.visible, twin.visible);
+      EXPECT_NEAR(gpu.inliers, twin.inliers, 1);  // one error may lie on the threshold
+      EXPECT_NEAR(gpu.gain, twin.gain, 1e-4);
+      EXPECT_NEAR(gpu.bias, twin.bias, 1e-2);
+      EXPECT_NEAR(gpu.rms, twin.rms, 1e-2);
+      EXPECT_NEAR(gpu.contrast, twin.contrast, 1e-2);
+      EXPECT_LT((gpu.H - twin.H).norm(), 1e-3 * twin.H.norm());
+      const Vec6d error = (twin.T_cam_ref.inverse() * gpu.T_cam_ref).log();
+      EXPECT_LT(error.norm(), 1e-3 * twin.delta.norm() + 2e-6);
+      const auto weights = readBuffer<GpuPointWeight>(rig.loop.weights());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_NEAR(weights[i].weight, twin.weights[i], 1e-3);
+      }
+      // Both go on from the same pose.
+      twin.T_cam_ref = gpu.T_cam_ref;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants,
+                         AlignKernelsTest,
+                         ::testing::Combine(::testing::ValuesIn(kGroupSizes),
+                                            ::testing::Values(7, 11)),
+                         [](const auto& test) {
+                           return "Group" + std::to_string(std::get<0>(test.param)) + "Patch" +
+                                  std::to_string(std::get<1>(test.param));
+                         });
+
+}  // namespace
+}  // namespace glide::test

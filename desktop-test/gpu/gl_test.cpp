@@ -1,0 +1,102 @@
+#include "gpu/gl_test.h"
+
+#include "support/egl_context.h"
+
+#include <EGL/egl.h>
+
+#include <cstdlib>
+#include <optional>
+#include <random>
+#include <string_view>
+
+namespace glide::test {
+namespace {
+
+/// The program's context and what its driver has complained about.
+struct SharedGl {
+  Result<EglContext> context = EglContext::create(EglDebug::on);
+  std::vector<std::string> messages;
+};
+
+void GL_APIENTRY
+onMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* user) {
+  if (type != GL_DEBUG_TYPE_ERROR_KHR) return;
+  auto* messages = static_cast<std::vector<std::string>*>(const_cast<void*>(user));
+  messages->emplace_back(message);
+}
+
+void listen(SharedGl* shared) {
+  const auto set_callback = reinterpret_cast<PFNGLDEBUGMESSAGECALLBACKKHRPROC>(
+      eglGetProcAddress("glDebugMessageCallbackKHR"));
+  if (set_callback == nullptr) return;
+  set_callback(onMessage, &shared->messages);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS_KHR);
+}
+
+SharedGl& sharedGl() {
+  static SharedGl shared;
+  static const bool listening = shared.context.ok() && (listen(&shared), true);
+  static_cast<void>(listening);
+  return shared;
+}
+
+bool glRequired() {
+  const char* value = std::getenv("GLIDE_REQUIRE_GL");
+  return value != nullptr && std::string_view(value) == "1";
+}
+
+}  // namespace
+
+void GlTest::SetUp() {
+  SharedGl& shared = sharedGl();
+  std::optional<std::string> problem;
+  if (!shared.context) {
+    problem = shared.context.error().message;
+  } else {
+    const Result<GlCaps> queried = GlCaps::query();
+    if (queried) caps_ = *queried;
+    if (!queried) problem = queried.error().message;
+  }
+  if (problem && glRequired()) FAIL() << "GLIDE_REQUIRE_GL=1, but " << *problem;
+  if (problem) GTEST_SKIP() << "no GL: " << *problem;
+  shared.messages.clear();
+}
+
+void GlTest::forgetDriverMessages() { sharedGl().messages.clear(); }
+
+void GlTest::TearDown() {
+  if (IsSkipped() || !sharedGl().context) return;
+  for (const std::string& message : sharedGl().messages) ADD_FAILURE() << "KHR_debug: " << message;
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+ImageF readTexture(const GlTexture& texture) {
+  glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+  GLuint framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), 0);
+  EXPECT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
+  const int width = texture.width();
+  std::vector<float> rgba(static_cast<std::size_t>(width * texture.height() * 4));
+  glReadPixels(0, 0, width, texture.height(), GL_RGBA, GL_FLOAT, rgba.data());
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glDeleteFramebuffers(1, &framebuffer);
+  ImageF image(width, texture.height());
+  for (int y = 0; y < texture.height(); ++y) {
+    for (int x = 0; x < width; ++x)
+      image.at(x, y) = rgba[static_cast<std::size_t>((y * width + x) * 4)];
+  }
+  return image;
+}
+
+ImageU8 randomImage(int width, int height, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  ImageU8 image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) image.at(x, y) = static_cast<std::uint8_t>(random() & 0xFFU);
+  }
+  return image;
+}
+
+}  // namespace glide::test

@@ -1,0 +1,126 @@
+#include "support/egl_context.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace glide::test {
+namespace {
+
+struct Candidate {
+  std::string platform;
+  EGLDisplay display = EGL_NO_DISPLAY;
+};
+
+std::string hexError() {
+  constexpr const char* kDigits = "0123456789abcdef";
+  const auto error = static_cast<unsigned>(eglGetError());
+  std::string text = "EGL error 0x";
+  for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[(error >> shift) & 0xFU];
+  return text;
+}
+
+std::vector<EGLDeviceEXT> eglDevices() {
+  const auto query =
+      reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+  std::array<EGLDeviceEXT, 8> devices{};
+  EGLint count = 0;
+  if (query == nullptr ||
+      query(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_FALSE) {
+    return {};
+  }
+  return {devices.begin(), devices.begin() + count};
+}
+
+std::vector<Candidate> candidates() {
+  std::vector<Candidate> found;
+  const auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+      eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  if (get != nullptr) {
+    found.push_back(
+        {"surfaceless", get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+    for (EGLDeviceEXT device : eglDevices()) {
+      found.push_back({"device", get(EGL_PLATFORM_DEVICE_EXT, device, nullptr)});
+    }
+  }
+  found.push_back({"default", eglGetDisplay(EGL_DEFAULT_DISPLAY)});
+  return found;
+}
+
+/// Makes a context on `display` current and returns it; on failure says why in `problem`.
+EGLContext makeCurrent(EGLDisplay display, EglDebug debug, std::string* problem) {
+  const EGLint config_wanted[] = {
+      EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  if (eglBindAPI(EGL_OPENGL_ES_API) == EGL_FALSE ||
+      eglChooseConfig(display, config_wanted, &config, 1, &count) == EGL_FALSE || count == 0) {
+    *problem = "no OpenGL ES 3 configuration";
+    return EGL_NO_CONTEXT;
+  }
+  const EGLint debug_flag = debug == EglDebug::on ? EGL_TRUE : EGL_FALSE;
+  const EGLint context_wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                   3,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   1,
+                                   EGL_CONTEXT_OPENGL_DEBUG,
+                                   debug_flag,
+                                   EGL_NONE};
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_wanted);
+  if (context == EGL_NO_CONTEXT) {
+    *problem = "no OpenGL ES 3.1 context, " + hexError();
+    return EGL_NO_CONTEXT;
+  }
+  if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
+    *problem = "the context needs a surface, " + hexError();
+    eglDestroyContext(display, context);
+    return EGL_NO_CONTEXT;
+  }
+  return context;
+}
+
+}  // namespace
+
+Result<EglContext> EglContext::create(EglDebug debug) {
+  std::string problems;
+  for (const Candidate& candidate : candidates()) {
+    std::string problem;
+    if (candidate.display == EGL_NO_DISPLAY ||
+        eglInitialize(candidate.display, nullptr, nullptr) == EGL_FALSE) {
+      problem = "no display, " + hexError();
+    } else if (const EGLContext context = makeCurrent(candidate.display, debug, &problem);
+               context != EGL_NO_CONTEXT) {
+      EglContext made;
+      made.display_ = candidate.display;
+      made.context_ = context;
+      made.platform_ = candidate.platform;
+      return made;
+    }
+    problems += (problems.empty() ? "" : "; ") + candidate.platform + ": " + problem;
+  }
+  return Error{ErrorCode::unsupported, "no OpenGL ES 3.1 context (" + problems + ")"};
+}
+
+EglContext::EglContext(EglContext&& other) noexcept
+    : display_(std::exchange(other.display_, nullptr)),
+      context_(std::exchange(other.context_, nullptr)),
+      platform_(std::move(other.platform_)) {}
+
+EglContext& EglContext::operator=(EglContext&& other) noexcept {
+  std::swap(display_, other.display_);
+  std::swap(context_, other.context_);
+  std::swap(platform_, other.platform_);
+  return *this;
+}
+
+EglContext::~EglContext() {
+  if (context_ == nullptr) return;
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+  // The display is shared by the process: terminating it would end other contexts on it.
+}
+
+}  // namespace glide::test
