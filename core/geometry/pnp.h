@@ -1,12 +1,12 @@
 #pragma once
 
+#include "geometry/camera_model.h"
+#include "geometry/lie.h"
+
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include "geometry/camera_model.h"
-#include "geometry/lie.h"
 
 namespace glide {
 
@@ -29,7 +29,8 @@ struct PnpResult {
   int inliers = 0;
 };
 
-/// P3P inside RANSAC (on undistorted bearings, errors in distorted pixels); nothing when no sample reaches min_inliers.
+/// P3P inside RANSAC (on undistorted bearings, errors in distorted pixels); nothing when no sample
+/// reaches min_inliers.
 std::optional<PnpResult> solvePnp(const CameraModel& camera,
                                   std::span<const PointPixel> points,
                                   const PnpOptions& options);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "geometry/camera_model.h"
+#include "geometry/lie.h"
+
+#include "glide/types.h"
+
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "geometry/camera_model.h"
-#include "geometry/lie.h"
-#include "glide/types.h"
 
 namespace glide {
 
@@ -17,24 +18,29 @@ struct PixelPair {
 
 struct TwoViewOptions {
   double sigma_px = 1.0;
-  int min_points = 50;             ///< triangulated with parallax
-  double min_parallax_deg = 1.0;   ///< of the triangulated points' median... see two_view.cpp
+  int min_points = 50;            ///< triangulated with parallax
+  double min_parallax_deg = 1.0;  ///< see TwoViewResult::parallax_deg
   int ransac_iterations = 200;
   std::uint64_t seed = 1;
 };
 
 struct TwoViewResult {
   InitializationStatus status = InitializationStatus::too_few_matches;
-  bool from_homography = false;
-  SE3d T_b_a;                        ///< translation of unit length; meaningful when status is done
-  std::vector<Vec3d> points_a;       ///< per pair, camera a's frame; zero where not triangulated
-  std::vector<bool> triangulated;    ///< per pair: inlier, in front of both, enough parallax
+  bool from_homography = false;  ///< a plane explains the pairs better than a general scene
+  /// Translation of unit length; meaningful when status is done.
+  SE3d T_b_a;
+  std::vector<Vec3d> points_a;     ///< per pair, camera a's frame; zero where not triangulated
+  std::vector<bool> triangulated;  ///< per pair: inlier, in front of both, enough parallax
   int inliers = 0, landmarks = 0;
-  double parallax_deg = 0.0;         ///< robust (50th largest or median) parallax of the inliers
+  /// Parallax that min_points of the inliers, or half of them if that is fewer, reach; 0 when there
+  /// were too few matches.
+  double parallax_deg = 0.0;
 };
 
-/// Relative pose of two views: homography and essential matrix by RANSAC on the same samples, model selection by
-/// score, decomposition, cheirality and parallax tests. Refuses ambiguous pairs (status says why).
+/// Relative pose of two views: homography and essential matrix by RANSAC on the same samples, every
+/// pose either suggests refined by the Sampson error of all pairs, the best one chosen by its score
+/// among points in front of both cameras. Refuses pairs without translation, with too little
+/// parallax and with two explanations (status says why). The same input gives the same result.
 TwoViewResult solveTwoView(const CameraModel& camera,
                            std::span<const PixelPair> pairs,
                            const TwoViewOptions& options);
