@@ -125,6 +125,18 @@ TEST_F(BundleBehaviour, LeavesOutWhatTheCallerFlaggedButLetsItComeBack) {
               testing::Each(testing::Field(&BundleObservation::inlier, true)));
 }
 
+TEST_F(BundleBehaviour, DrawsTheLineAtTheChi2GateInSigmas) {
+  BundleCase c = makeBundleCase(camera_, {.cameras = 8, .points = 200});
+  c.problem.observations[100].uv.x() += 6.0;
+  c.problem.observations[300].uv.x() += 6.0;
+  c.problem.observations[300].inv_sigma = 0.3;
+  const BundleSummary summary = solveBundle(camera_, {}, &c.problem);
+  ASSERT_TRUE(summary.usable);
+  EXPECT_FALSE(c.problem.observations[100].inlier);
+  EXPECT_TRUE(c.problem.observations[300].inlier);
+  EXPECT_EQ(summary.outliers, 1);
+}
+
 TEST_F(BundleBehaviour, IsNotLedByAnOutlierThatTheCallerFlagged) {
   // One round without Huber: an unflagged outlier of hundreds of pixels would drag its camera
   // along.
