@@ -52,11 +52,11 @@ TEST(CpuAligner, AllocatesNothingPerFrameAfterWarmUp) {
   EXPECT_TRUE(tracked.valid && promoted.valid);
 }
 
-TEST(CpuAligner, AllocationsAreCountedByThisProgram) {
+TEST(CpuAligner, AllocatesItsWorkArraysWhenItIsMade) {
+  const test::AlignScenario scenario = test::smallScenario();
   const long before = allocation_count;
-  EXPECT_NE(std::make_unique<PointNormal>(), nullptr);  // over-aligned
-  EXPECT_NE(std::make_unique<int>(1), nullptr);
-  EXPECT_GE(allocation_count - before, 2);
+  const auto aligner = CpuAligner::create(scenario.config, scenario.camera);
+  EXPECT_GT(allocation_count - before, 0);  // so the counter above counts
 }
 
 }  // namespace
