@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace glide {
 namespace {
@@ -98,17 +99,15 @@ double kannalaBrandtDerivative(const DistortionCoefficients& k, double theta) {
 }
 
 double monotonicLimit(DistortionModel model, const DistortionCoefficients& k) {
-  switch (model) {
-    case DistortionModel::radial_tangential:
-      return smallestRoot({1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[4], 0.0}, kMaxTangentSquared)
-          .value_or(kInfinity);
-    case DistortionModel::kannala_brandt4: {
-      const std::optional<double> theta_squared =
-          smallestRoot({1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[2], 9.0 * k[3]}, kPi * kPi);
-      return theta_squared ? std::sqrt(*theta_squared) : kPi;
-    }
-    case DistortionModel::none:
-      break;
+  if (model == DistortionModel::radial_tangential) {
+    const Quartic derivative{1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[4], 0.0};  // in r^2
+    const std::vector<double> folds = rootsBetween(derivative, 0.0, kMaxTangentSquared);
+    return folds.empty() ? kInfinity : folds.front();
+  }
+  if (model == DistortionModel::kannala_brandt4) {
+    const Quartic derivative{1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[2], 9.0 * k[3]};  // in theta^2
+    const std::vector<double> folds = rootsBetween(derivative, 0.0, kPi * kPi);
+    return folds.empty() ? kPi : std::sqrt(folds.front());
   }
   return kInfinity;
 }

@@ -29,8 +29,8 @@ struct PnpResult {
   int inliers = 0;
 };
 
-/// P3P inside RANSAC (on undistorted bearings, errors in distorted pixels); nothing when no sample
-/// reaches min_inliers.
+/// P3P inside RANSAC (on undistorted bearings, errors in distorted pixels) with an early stop,
+/// refined on the inliers; nothing when fewer than min_inliers agree with any pose.
 std::optional<PnpResult> solvePnp(const CameraModel& camera,
                                   std::span<const PointPixel> points,
                                   const PnpOptions& options);

@@ -1,6 +1,5 @@
 #include "geometry/polynomial.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace glide {
@@ -20,30 +19,26 @@ double bisect(const Quartic& c, double low, double high) {
   }
 }
 
-/// Roots with a change of sign in (0, upper], rising. Between two roots of the derivative there is
-/// at most one, so the degree is peeled off by recursion.
-std::vector<double> signChanges(const Quartic& c, double upper) {
-  const Quartic derivative{c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4], 0.0};
+}  // namespace
+
+// Between two roots of the derivative there is at most one root, so the degree is peeled off by
+// recursion.
+std::vector<double> rootsBetween(const Quartic& polynomial, double lower, double upper) {
+  const Quartic& c = polynomial;
   std::vector<double> ends;
-  if (c[2] != 0.0 || c[3] != 0.0 || c[4] != 0.0) ends = signChanges(derivative, upper);
+  if (c[2] != 0.0 || c[3] != 0.0 || c[4] != 0.0) {
+    ends = rootsBetween({c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4], 0.0}, lower, upper);
+  }
   ends.push_back(upper);
 
   std::vector<double> roots;
-  double low = 0.0;
+  double low = lower;
   for (const double high : ends) {
-    if ((evaluate(c, low) < 0.0) != (evaluate(c, high) < 0.0))
-      roots.push_back(bisect(c, low, high));
+    const bool crosses = (evaluate(c, low) < 0.0) != (evaluate(c, high) < 0.0);
+    if (crosses) roots.push_back(bisect(c, low, high));
     low = high;
   }
   return roots;
-}
-
-}  // namespace
-
-std::optional<double> smallestRoot(const Quartic& polynomial, double upper) {
-  const std::vector<double> roots = signChanges(polynomial, upper);
-  if (roots.empty()) return std::nullopt;
-  return roots.front();
 }
 
 }  // namespace glide
