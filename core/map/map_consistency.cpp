@@ -52,20 +52,17 @@ std::string checkObservations(const Map& map, const Landmark& landmark) {
 
 using Weights = std::map<std::pair<KeyframeId, KeyframeId>, int>;
 
-Weights countShared(const Map& map) {
-  Weights weights;
-  for (const LandmarkId id : map.landmarkIds()) {
-    for (const Observation& a : map.landmark(id)->observations) {
-      for (const Observation& b : map.landmark(id)->observations) {
-        if (a.keyframe != b.keyframe) ++weights[{a.keyframe, b.keyframe}];
-      }
+void countPairs(const Landmark& landmark, Weights* weights) {
+  for (const Observation& a : landmark.observations) {
+    for (const Observation& b : landmark.observations) {
+      if (a.keyframe != b.keyframe) ++(*weights)[{a.keyframe, b.keyframe}];
     }
   }
-  return weights;
 }
 
 std::string checkCovisibility(const Map& map) {
-  const Weights weights = countShared(map);
+  Weights weights;
+  for (const LandmarkId id : map.landmarkIds()) countPairs(*map.landmark(id), &weights);
   std::size_t edges = 0;
   for (const auto& [id, keyframe] : map.keyframes()) {
     edges += map.covisibility().neighbors(id, 1).size();

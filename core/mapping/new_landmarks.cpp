@@ -40,8 +40,7 @@ std::optional<Vec3d> locate(MapperState* state,
                             const Match& match) {
   const auto i = static_cast<std::size_t>(match.a);
   const auto j = static_cast<std::size_t>(match.b);
-  const std::optional<Vec3d> p_a =
-      triangulate(T_b_a, state->bearings.of(a)[i], state->bearings.of(b)[j]);
+  std::optional<Vec3d> p_a = triangulate(T_b_a, state->bearings.of(a)[i], state->bearings.of(b)[j]);
   if (!p_a || !p_a->allFinite()) return std::nullopt;
   if (!reprojects(*state, a.features->feature(i), *p_a)) return std::nullopt;
   if (!reprojects(*state, b.features->feature(j), T_b_a * *p_a)) return std::nullopt;

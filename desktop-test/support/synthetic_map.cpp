@@ -115,7 +115,7 @@ InitialMap SyntheticTracker::start(const SyntheticView& a, const SyntheticView& 
 NewKeyframe SyntheticTracker::track(const MapSnapshot& map,
                                     const SyntheticView& view,
                                     KeyframeId reference) {
-  const Sim3d S_truth_map = S_map_truth(map).inverse();
+  const Sim3d S_truth_map = similarityToMap(map).inverse();
   SE3d T_cam_map;  // similarity taken apart: rotation as it is, translation in map units
   T_cam_map.q = view.T_cam_world.q * S_truth_map.q;
   T_cam_map.t = (view.T_cam_world * S_truth_map.t) / S_truth_map.s;
@@ -165,7 +165,7 @@ int SyntheticTracker::cornerOf(const MapSnapshot::LandmarkEntry& landmark) const
   return view->second.points[static_cast<std::size_t>(landmark.observations.front().feature)];
 }
 
-Sim3d SyntheticTracker::S_map_truth(const MapSnapshot& map) const {
+Sim3d SyntheticTracker::similarityToMap(const MapSnapshot& map) const {
   std::vector<Vec3d> p_map, p_truth;
   for (const MapSnapshot::LandmarkEntry& landmark : map.landmarks()) {
     const int corner = cornerOf(landmark);
@@ -192,7 +192,7 @@ double SyntheticTracker::keyframeError(const MapSnapshot& map) const {
 }
 
 double SyntheticTracker::landmarkError(const MapSnapshot& map) const {
-  const Sim3d S_truth_map = S_map_truth(map).inverse();
+  const Sim3d S_truth_map = similarityToMap(map).inverse();
   std::vector<double> errors;
   for (const MapSnapshot::LandmarkEntry& landmark : map.landmarks()) {
     const int corner = cornerOf(landmark);

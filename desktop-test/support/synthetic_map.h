@@ -79,7 +79,7 @@ class SyntheticTracker {
   int cornerOf(const MapSnapshot::LandmarkEntry& landmark) const;
 
   /// Least-squares similarity from the truth to the map frame, over all landmarks.
-  Sim3d S_map_truth(const MapSnapshot& map) const;
+  Sim3d similarityToMap(const MapSnapshot& map) const;
 
   /// RMS distance of the keyframes' centres from the truth after alignment by landmarks, true
   /// units.

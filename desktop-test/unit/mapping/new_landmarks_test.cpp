@@ -16,7 +16,7 @@ using test::walk;
 
 int wrongLandmarks(const MappedScene& scene, const std::vector<LandmarkId>& created) {
   const auto snapshot = scene.map();
-  const Sim3d S_truth_map = scene.tracker.S_map_truth(*snapshot).inverse();
+  const Sim3d S_truth_map = scene.tracker.similarityToMap(*snapshot).inverse();
   int wrong = 0;
   for (const LandmarkId id : created) {
     const auto& landmark = *snapshot->landmark(id);
