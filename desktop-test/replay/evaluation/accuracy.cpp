@@ -13,6 +13,7 @@ namespace {
 constexpr double kMaxTimeDifference = 0.01;  // s, evo's default t_max_diff
 constexpr double kRelativeDelta = 1.0;       // s
 constexpr double kRelativeTolerance = 0.1;   // s, so that a truth at 6 Hz still has pairs
+constexpr double kTimeJitter = 1e-3;         // s, so that the last pose counts as a second later
 constexpr double kDegPerRad = 57.29577951308232;
 
 /// Times as the doubles that evo reads from our files: its comparisons with 10 ms are made in them.
@@ -84,6 +85,7 @@ std::optional<RelativeError> relativeError(const Trajectory& truth,
   RelativeError error;
   double trans_sum = 0.0, rot_sum = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (times[i] + kRelativeDelta > times.back() + kTimeJitter) break;
     const std::size_t j = nearest(times, times[i] + kRelativeDelta);
     if (j <= i || std::abs(times[j] - times[i] - kRelativeDelta) > kRelativeTolerance) continue;
     const SE3d T_i_j_truth =

@@ -33,8 +33,8 @@ struct AbsoluteError {
 std::optional<AbsoluteError> absoluteError(const Trajectory& truth, const Trajectory& estimate);
 
 /// Relative pose error over one second: RMSE over all pairs of matched poses (i, j) where j is the
-/// one nearest to t_i + 1 s, at most 0.1 s off. Translations of the estimate are multiplied by
-/// scale.
+/// one nearest to t_i + 1 s, at most 0.1 s off, while the trajectory lasts that long. Translations
+/// of the estimate are multiplied by scale.
 struct RelativeError {
   double trans_m = 0.0;
   double rot_deg = 0.0;

@@ -1,0 +1,117 @@
+#include "replay/app/options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace glide::replay {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::variant<Options, int> parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "glide-replay");
+  return parseOptions(static_cast<int>(words.size()), words.data());
+}
+
+Options parsed(const std::vector<const char*>& words) {
+  const auto result = parse(words);
+  EXPECT_TRUE(std::holds_alternative<Options>(result));
+  return std::holds_alternative<Options>(result) ? std::get<Options>(result) : Options{};
+}
+
+int exitCode(const std::vector<const char*>& words) {
+  const auto result = parse(words);
+  return std::holds_alternative<int>(result) ? std::get<int>(result) : -1;
+}
+
+TEST(Options, HaveTheDefaultsOfTheManual) {
+  const Options options = parsed({"data"});
+  EXPECT_EQ(options.source, "data");
+  EXPECT_EQ(options.pace, Pace::lossless);
+  EXPECT_EQ(options.trajectory_frame, TrajectoryFrame::camera);
+  EXPECT_EQ(options.progress, Progress::automatic);
+  EXPECT_EQ(options.selection.stride, 1);
+  EXPECT_TRUE(options.settings.empty());
+  EXPECT_FALSE(options.json);
+}
+
+TEST(Options, TurnShortcutsIntoSettingsThatSetOverrides) {
+  const Options options = parsed({"data",
+                                  "--set",
+                                  "direct.levels=3",
+                                  "--patch",
+                                  "7",
+                                  "--backend",
+                                  "cpu",
+                                  "--deterministic",
+                                  "--set",
+                                  "direct.max_rms=9"});
+  EXPECT_THAT(options.settings,
+              ElementsAre("backend=cpu",
+                          "direct.patch_size=7",
+                          "execution=inline",
+                          "direct.levels=3",
+                          "direct.max_rms=9"));
+}
+
+TEST(Options, ReadSelectionAndOutputs) {
+  const Options options = parsed({"data",
+                                  "--start",
+                                  "1.5",
+                                  "--duration",
+                                  "10",
+                                  "--stride",
+                                  "2",
+                                  "--max-frames",
+                                  "7",
+                                  "--pace",
+                                  "realtime",
+                                  "--trajectory-frame",
+                                  "body",
+                                  "--progress",
+                                  "none",
+                                  "--json",
+                                  "--require-tracked",
+                                  "0.9",
+                                  "-o",
+                                  "there",
+                                  "--gt",
+                                  "gt.txt",
+                                  "--fps",
+                                  "15"});
+  EXPECT_EQ(options.selection.start_s, 1.5);
+  EXPECT_EQ(options.selection.duration_s, 10.0);
+  EXPECT_EQ(options.selection.stride, 2);
+  EXPECT_EQ(options.selection.max_frames, 7);
+  EXPECT_EQ(options.pace, Pace::realtime);
+  EXPECT_EQ(options.trajectory_frame, TrajectoryFrame::body);
+  EXPECT_EQ(options.progress, Progress::none);
+  EXPECT_TRUE(options.json);
+  EXPECT_EQ(options.require_tracked, 0.9);
+  EXPECT_EQ(options.output, "there");
+  EXPECT_EQ(options.groundtruth, "gt.txt");
+  EXPECT_EQ(options.fps, 15.0);
+}
+
+TEST(Options, EndWithOneOnAMistakeAndZeroOnHelp) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(exitCode({}), kUsage);
+  EXPECT_EQ(exitCode({"data", "--stride", "0"}), kUsage);
+  EXPECT_EQ(exitCode({"data", "--backend", "gpu"}), kUsage);
+  EXPECT_EQ(exitCode({"data", "--pace", "fast"}), kUsage);
+  EXPECT_EQ(exitCode({"data", "--require-tracked", "2"}), kUsage);
+  EXPECT_EQ(exitCode({"data", "--no-such-option"}), kUsage);
+  EXPECT_EQ(exitCode({"data", "more"}), kUsage);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("SOURCE"));
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(exitCode({"--help"}), kOk);
+  const std::string help = testing::internal::GetCapturedStdout();
+  EXPECT_THAT(help, HasSubstr("Exit status"));
+  for (const char* later : {"--render", "--report", "--map-in", "--localize-only"}) {
+    EXPECT_THAT(help, testing::Not(HasSubstr(later)));
+  }
+}
+
+}  // namespace
+}  // namespace glide::replay
