@@ -1,0 +1,28 @@
+#pragma once
+
+#include "synthetic/sequence.h"
+
+#include "glide/result.h"
+
+#include <filesystem>
+#include <functional>
+
+namespace glide::synthetic {
+
+enum class Layout {
+  tum,    ///< rgb.txt, rgb/, groundtruth.txt (camera poses), camera.yaml
+  euroc,  ///< mav0/cam0 with sensor.yaml, mav0/state_groundtruth_estimate0 (body poses; T_BS is not
+          ///< the identity)
+};
+
+/// Called after each frame with the number of frames written so far.
+using Progress = std::function<void(int)>;
+
+/// Renders the whole sequence into `folder`, which is made when missing; files in the way are
+/// replaced. io error naming the file that cannot be written.
+Status writeDataset(Sequence* sequence,
+                    Layout layout,
+                    const std::filesystem::path& folder,
+                    const Progress& progress);
+
+}  // namespace glide::synthetic

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "synthetic/renderer.h"
+#include "synthetic/scene.h"
+#include "synthetic/sensor.h"
+#include "synthetic/trajectory.h"
+
+#include "geometry/lie.h"
+#include "image/image.h"
+
+#include "glide/result.h"
+#include "glide/types.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace glide::synthetic {
+
+/// Everything that defines a synthetic sequence.
+struct SequenceOptions {
+  SceneKind scene = SceneKind::room;
+  CameraIntrinsics camera;
+  Motion motion;
+  Sensor sensor;
+  int frames = 300;
+  double fps = 30.0;
+  std::uint64_t seed = 1;
+};
+
+/// A pinhole camera of 63 degrees field of view, a radial-tangential one of 79 and a Kannala-Brandt
+/// one of 150, with the principal point a little off the centre.
+CameraIntrinsics makeCamera(DistortionModel model, int width, int height);
+
+/// Images and exact poses of a synthetic camera, one frame at a time. One thread per instance; the
+/// scene may be shared by several.
+class Sequence {
+ public:
+  /// invalid_argument when the camera or an option is out of range; the message names it.
+  static Result<Sequence> create(const SequenceOptions& options);
+  /// The same with a scene that exists already: making one takes about a second.
+  static Result<Sequence> create(const SequenceOptions& options,
+                                 std::shared_ptr<const Scene> scene);
+
+  int size() const { return options_.frames; }
+  const CameraModel& camera() const { return camera_; }
+  const SequenceOptions& options() const { return options_; }
+  const std::shared_ptr<const Scene>& scene() const { return scene_; }
+
+  /// Middle of the exposure of the middle row, nanoseconds.
+  std::int64_t timestamp(int frame) const;
+  /// True pose at that instant.
+  SE3d T_world_cam(int frame) const;
+
+  /// What the camera delivers.
+  void image(int frame, ImageU8* out);
+  /// The perfect view at timestamp(frame), without blur, exposure and noise.
+  const Rendering& rendering(int frame);
+
+ private:
+  Sequence(const SequenceOptions& options,
+           const CameraModel& camera,
+           std::shared_ptr<const Scene> scene);
+  double seconds(int frame) const { return frame / options_.fps; }
+  void renderAt(double t_s);
+
+  SequenceOptions options_;
+  CameraModel camera_;
+  std::shared_ptr<const Scene> scene_;
+  Renderer renderer_;
+  Rendering rendering_;
+  ImageF exposed_;  ///< radiance averaged over the exposure
+  std::vector<SE3d> row_poses_;
+};
+
+}  // namespace glide::synthetic
