@@ -83,9 +83,9 @@ SE3d minimize(const PoseProblem& problem,
   for (int k = 0; k < kMaxIterations; ++k) {
     const Vec6d step = dampedStep(system, damping);
     if (!step.allFinite()) break;
+    if (-step.dot(system.g) < kConverged) return SE3d::exp(step) * T_cam_world;
     const SE3d T_trial = SE3d::exp(step) * T_cam_world;
-    if (-step.dot(system.g) < kConverged) return T_trial;
-    NormalEquations trial = linearize(problem, use, loss, T_trial);
+    const NormalEquations trial = linearize(problem, use, loss, T_trial);
     if (trial.cost < system.cost) {
       T_cam_world = T_trial;
       system = trial;

@@ -1,6 +1,6 @@
 // Local bundle adjustment as the mapper asks for it: N free and 20 fixed cameras, 2000 points,
 // 10000 observations, 5 % of them outliers, a start that is some pixels off. Run with glide_bench
-// --benchmark_filter=Bundle.
+// --benchmark_filter=localBundle.
 #include "support/bundle_case.h"
 
 #include <benchmark/benchmark.h>
@@ -27,7 +27,7 @@ test::BundleCase localCase(const CameraModel& camera, int free_cameras) {
   return bundle;
 }
 
-void BM_LocalBundle(benchmark::State& state, DistortionModel distortion) {
+void localBundle(benchmark::State& state, DistortionModel distortion) {
   const CameraModel camera = test::syntheticCamera(distortion);
   const test::BundleCase start = localCase(camera, int(state.range(0)));
   BundleSummary summary;
@@ -43,12 +43,12 @@ void BM_LocalBundle(benchmark::State& state, DistortionModel distortion) {
   state.counters["camera_error"] = test::worstCameraError(solved);
 }
 
-BENCHMARK_CAPTURE(BM_LocalBundle, radtan, DistortionModel::radial_tangential)
+BENCHMARK_CAPTURE(localBundle, radtan, DistortionModel::radial_tangential)
     ->Arg(10)
     ->Arg(20)
     ->Arg(40)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_LocalBundle, kannala_brandt, DistortionModel::kannala_brandt4)
+BENCHMARK_CAPTURE(localBundle, kannala_brandt, DistortionModel::kannala_brandt4)
     ->Arg(20)
     ->Unit(benchmark::kMillisecond);
 

@@ -9,7 +9,7 @@
 namespace glide {
 namespace {
 
-void BM_OptimizePose(benchmark::State& state, DistortionModel distortion) {
+void optimizePoseOfFrame(benchmark::State& state, DistortionModel distortion) {
   const CameraModel camera = test::syntheticCamera(distortion);
   const test::SyntheticProblem truth = test::makeSyntheticProblem(
       camera, {.cameras = 1, .points = int(state.range(0)), .noise_px = 0.7, .outlier_share = 0.2});
@@ -27,15 +27,15 @@ void BM_OptimizePose(benchmark::State& state, DistortionModel distortion) {
   state.counters["inliers"] = estimate.inliers;
 }
 
-BENCHMARK_CAPTURE(BM_OptimizePose, pinhole, DistortionModel::none)
+BENCHMARK_CAPTURE(optimizePoseOfFrame, pinhole, DistortionModel::none)
     ->Arg(200)
     ->Arg(600)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(BM_OptimizePose, radtan, DistortionModel::radial_tangential)
+BENCHMARK_CAPTURE(optimizePoseOfFrame, radtan, DistortionModel::radial_tangential)
     ->Arg(200)
     ->Arg(600)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(BM_OptimizePose, kannala_brandt, DistortionModel::kannala_brandt4)
+BENCHMARK_CAPTURE(optimizePoseOfFrame, kannala_brandt, DistortionModel::kannala_brandt4)
     ->Arg(200)
     ->Arg(600)
     ->Unit(benchmark::kMicrosecond);

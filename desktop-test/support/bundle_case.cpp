@@ -7,7 +7,7 @@ namespace {
 
 // As far off as a new keyframe and fresh points are: some pixels.
 constexpr double kTranslationSigma = 0.03;
-constexpr double kRotationSigma_rad = 0.01;
+constexpr double kRotationSigmaRad = 0.01;
 constexpr double kPointSigma = 0.05;
 
 }  // namespace
@@ -19,7 +19,7 @@ BundleCase makeBundleCase(const CameraModel& camera, const SyntheticOptions& opt
     const SE3d& T_truth = bundle.truth.T_cam_world[c];
     const bool fixed = c < 2;
     const SE3d T_start =
-        fixed ? T_truth : perturbed(T_truth, kTranslationSigma, kRotationSigma_rad, &rng);
+        fixed ? T_truth : perturbed(T_truth, kTranslationSigma, kRotationSigmaRad, &rng);
     bundle.problem.cameras.push_back({T_start, fixed});
   }
   for (const Vec3d& p_world : bundle.truth.points) {

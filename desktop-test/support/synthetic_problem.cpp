@@ -62,7 +62,7 @@ Vec2d farPixel(const CameraModel& camera, const Vec2d& uv, std::mt19937_64* rng)
   std::uniform_real_distribution<double> x(0.0, camera.width() - 1.0);
   std::uniform_real_distribution<double> y(0.0, camera.height() - 1.0);
   for (;;) {
-    const Vec2d candidate(x(*rng), y(*rng));
+    Vec2d candidate(x(*rng), y(*rng));
     if ((candidate - uv).norm() > kMinOutlierPx) return candidate;
   }
 }

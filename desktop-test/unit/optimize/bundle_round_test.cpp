@@ -13,20 +13,20 @@ class BundleRound : public testing::Test {
  protected:
   BundleState startState() const {
     BundleState state;
-    for (const BundleProblem::Camera& camera : case_.problem.cameras) {
+    for (const BundleProblem::Camera& camera : start.problem.cameras) {
       state.poses.push_back(toPoseBlock(camera.T_cam_world));
     }
-    state.points = case_.problem.points;
+    state.points = start.problem.points;
     return state;
   }
   RoundResult solve(const RoundOptions& options, BundleState* state) const {
-    const std::vector<bool> use(case_.problem.observations.size(), true);
-    return solveRound({camera_, case_.problem, use}, options, state);
+    const std::vector<bool> use(start.problem.observations.size(), true);
+    return solveRound({lens, start.problem, use}, options, state);
   }
 
-  const CameraModel camera_ = test::syntheticCamera(DistortionModel::none);
-  const test::BundleCase case_ =
-      test::makeBundleCase(camera_, {.cameras = 5, .points = 60, .noise_px = 0.3});
+  const CameraModel lens = test::syntheticCamera(DistortionModel::none);
+  const test::BundleCase start =
+      test::makeBundleCase(lens, {.cameras = 5, .points = 60, .noise_px = 0.3});
 };
 
 TEST_F(BundleRound, EndsBeforeItsFirstStepWhenTheFlagIsSet) {
@@ -59,8 +59,8 @@ TEST_F(BundleRound, StopsAtItsLimitOfIterations) {
 
 TEST_F(BundleRound, SolvesMoreCamerasThanItTakesDensely) {
   test::BundleCase large =
-      test::makeBundleCase(camera_, {.cameras = 83, .points = 100, .max_views_per_point = 8});
-  ASSERT_TRUE(solveBundle(camera_, {}, &large.problem).usable);
+      test::makeBundleCase(lens, {.cameras = 83, .points = 100, .max_views_per_point = 8});
+  ASSERT_TRUE(solveBundle(lens, {}, &large.problem).usable);
   EXPECT_LT(test::worstCameraError(large), 1e-8);
   EXPECT_LT(test::worstPointError(large), 1e-8);
 }

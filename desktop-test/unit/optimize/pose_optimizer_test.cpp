@@ -36,12 +36,12 @@ SE3d guessFor(const PoseCase& truth, std::uint64_t seed) {
 
 class PoseOptimizer : public testing::TestWithParam<DistortionModel> {
  protected:
-  const CameraModel camera_ = test::syntheticCamera(GetParam());
+  const CameraModel lens = test::syntheticCamera(GetParam());
 };
 
 TEST_P(PoseOptimizer, RecoversThePoseOfNoiseFreeObservations) {
-  const PoseCase c = makeCase(camera_, {.cameras = 1, .points = 300});
-  const PoseEstimate estimate = optimizePose(camera_, guessFor(c, 3), c.observations);
+  const PoseCase c = makeCase(lens, {.cameras = 1, .points = 300});
+  const PoseEstimate estimate = optimizePose(lens, guessFor(c, 3), c.observations);
   EXPECT_TRUE(estimate.valid);
   EXPECT_EQ(estimate.inliers, int(c.observations.size()));
   EXPECT_LT(estimate.rms_px, 1e-8);
@@ -51,8 +51,8 @@ TEST_P(PoseOptimizer, RecoversThePoseOfNoiseFreeObservations) {
 
 TEST_P(PoseOptimizer, FlagsOutliersAndIsNotMovedByThem) {
   const PoseCase c = makeCase(
-      camera_, {.cameras = 1, .points = 300, .noise_px = 0.5, .outlier_share = 0.3, .seed = 5});
-  const PoseEstimate estimate = optimizePose(camera_, guessFor(c, 4), c.observations);
+      lens, {.cameras = 1, .points = 300, .noise_px = 0.5, .outlier_share = 0.3, .seed = 5});
+  const PoseEstimate estimate = optimizePose(lens, guessFor(c, 4), c.observations);
   ASSERT_TRUE(estimate.valid);
   EXPECT_LT(test::translationError(estimate.T_cam_world, c.T_cam_world), 5e-3);
   EXPECT_LT(test::rotationError(estimate.T_cam_world, c.T_cam_world), 1.5e-3);

@@ -24,7 +24,7 @@ TEST(PoseBlock, KeepsThePose) {
 }
 
 TEST(LeftPoseManifold, MovesFromTheLeftAndMinusUndoesPlus) {
-  const LeftPoseManifold manifold;
+  const LeftPoseManifold manifold{};
   const Vec6d delta = (Vec6d() << 0.05, 0.1, -0.2, 0.3, -0.1, 0.2).finished();
   const Vec7d x = toPoseBlock(poseUnderTest());
   Vec7d moved;
@@ -37,7 +37,7 @@ TEST(LeftPoseManifold, MovesFromTheLeftAndMinusUndoesPlus) {
 }
 
 TEST(LeftPoseManifold, RefusesAStepThatIsNotFinite) {
-  const LeftPoseManifold manifold;
+  const LeftPoseManifold manifold{};
   const Vec6d delta = Vec6d::Constant(NAN);
   const Vec7d x = toPoseBlock(poseUnderTest());
   Vec7d moved;
@@ -49,32 +49,32 @@ class ReprojectionCostTest : public testing::TestWithParam<DistortionModel> {
   Vec2d residual(const Vec7d& pose, const Vec3d& point) const {
     const double* parameters[] = {pose.data(), point.data()};
     Vec2d r;
-    EXPECT_TRUE(cost_.Evaluate(parameters, r.data(), nullptr));
+    EXPECT_TRUE(cost.Evaluate(parameters, r.data(), nullptr));
     return r;
   }
   Vec2d residualMoved(const Vec6d& delta) const {
     Vec7d moved;
-    EXPECT_TRUE(manifold_.Plus(pose_.data(), delta.data(), moved.data()));
-    return residual(moved, point_);
+    EXPECT_TRUE(manifold.Plus(pose_block.data(), delta.data(), moved.data()));
+    return residual(moved, p_world);
   }
 
-  const CameraModel camera_ = test::syntheticCamera(GetParam());
-  const ReprojectionCost cost_{camera_, Vec2d(300.0, 200.0), 0.7};
-  const LeftPoseManifold manifold_;
-  const Vec7d pose_ = toPoseBlock(poseUnderTest());
-  const Vec3d point_ = poseUnderTest().inverse() * Vec3d(0.9, -0.6, 2.0);
+  const CameraModel lens = test::syntheticCamera(GetParam());
+  const ReprojectionCost cost{lens, Vec2d(300.0, 200.0), 0.7};
+  const LeftPoseManifold manifold{};
+  const Vec7d pose_block = toPoseBlock(poseUnderTest());
+  const Vec3d p_world = poseUnderTest().inverse() * Vec3d(0.9, -0.6, 2.0);
 };
 
 TEST_P(ReprojectionCostTest, HasTheDerivativesOfCentralDifferencesOnTheManifold) {
   Eigen::Matrix<double, 2, 7, Eigen::RowMajor> J_ambient;
   Eigen::Matrix<double, 7, 6, Eigen::RowMajor> plus;
   Eigen::Matrix<double, 2, 3, Eigen::RowMajor> J_point;
-  const double* parameters[] = {pose_.data(), point_.data()};
+  const double* parameters[] = {pose_block.data(), p_world.data()};
   double* jacobians[] = {J_ambient.data(), J_point.data()};
   Vec2d r;
-  ASSERT_TRUE(cost_.Evaluate(parameters, r.data(), jacobians));
-  ASSERT_TRUE(manifold_.PlusJacobian(pose_.data(), plus.data()));
-  EXPECT_EQ(r, residual(pose_, point_));
+  ASSERT_TRUE(cost.Evaluate(parameters, r.data(), jacobians));
+  ASSERT_TRUE(manifold.PlusJacobian(pose_block.data(), plus.data()));
+  EXPECT_EQ(r, residual(pose_block, p_world));
 
   for (int i = 0; i < 6; ++i) {
     const Vec6d d = kStep * Vec6d::Unit(i);
@@ -84,7 +84,7 @@ TEST_P(ReprojectionCostTest, HasTheDerivativesOfCentralDifferencesOnTheManifold)
   for (int i = 0; i < 3; ++i) {
     const Vec3d d = kStep * Vec3d::Unit(i);
     const Vec2d numeric =
-        (residual(pose_, point_ + d) - residual(pose_, point_ - d)) / (2.0 * kStep);
+        (residual(pose_block, p_world + d) - residual(pose_block, p_world - d)) / (2.0 * kStep);
     EXPECT_LT((J_point.col(i) - numeric).norm(), kTolerance);
   }
 }
@@ -93,10 +93,10 @@ TEST_P(ReprojectionCostTest, ChargesAPointThatDoesNotProjectWithoutAGradient) {
   const Vec3d behind = poseUnderTest().inverse() * Vec3d(0.0, 0.1, -2.0);
   Eigen::Matrix<double, 2, 7, Eigen::RowMajor> J_ambient;
   Eigen::Matrix<double, 2, 3, Eigen::RowMajor> J_point;
-  const double* parameters[] = {pose_.data(), behind.data()};
+  const double* parameters[] = {pose_block.data(), behind.data()};
   double* jacobians[] = {J_ambient.data(), J_point.data()};
   Vec2d r;
-  ASSERT_TRUE(cost_.Evaluate(parameters, r.data(), jacobians));
+  ASSERT_TRUE(cost.Evaluate(parameters, r.data(), jacobians));
   EXPECT_DOUBLE_EQ(r.norm(), kUnprojectableNorm);
   EXPECT_EQ(J_ambient.norm(), 0.0);
   EXPECT_EQ(J_point.norm(), 0.0);
@@ -104,10 +104,10 @@ TEST_P(ReprojectionCostTest, ChargesAPointThatDoesNotProjectWithoutAGradient) {
 
 TEST_P(ReprojectionCostTest, WritesOnlyTheDerivativesThatAreAskedFor) {
   Eigen::Matrix<double, 2, 3, Eigen::RowMajor> J_point = Eigen::Matrix<double, 2, 3>::Zero();
-  const double* parameters[] = {pose_.data(), point_.data()};
+  const double* parameters[] = {pose_block.data(), p_world.data()};
   double* jacobians[] = {nullptr, J_point.data()};
   Vec2d r;
-  ASSERT_TRUE(cost_.Evaluate(parameters, r.data(), jacobians));
+  ASSERT_TRUE(cost.Evaluate(parameters, r.data(), jacobians));
   EXPECT_GT(J_point.norm(), 0.0);
 }
 

@@ -28,37 +28,37 @@ class ReprojectionResidual : public testing::TestWithParam<DistortionModel> {
     return J;
   }
   Vec2d residual(const Vec3d& p_cam) const {
-    return reprojectionResidual(camera_, p_cam, kPixel, kInvSigma).value();
+    return reprojectionResidual(lens, p_cam, kPixel, kInvSigma).value();
   }
 
-  const CameraModel camera_ = test::syntheticCamera(GetParam());
-  const SE3d T_cam_world_ = SE3d::exp((Vec6d() << 0.3, -0.2, 0.5, 0.1, 0.4, -0.3).finished());
-  const std::vector<Vec3d> points_cam_ = {
+  const CameraModel lens = test::syntheticCamera(GetParam());
+  const SE3d T_cam_world = SE3d::exp((Vec6d() << 0.3, -0.2, 0.5, 0.1, 0.4, -0.3).finished());
+  const std::vector<Vec3d> points_cam = {
       {0.0, 0.0, 2.0}, {0.9, -0.6, 2.0}, {-1.1, 0.8, 1.7}, {0.2, 1.0, 9.0}};
 };
 
 TEST_P(ReprojectionResidual, IsThePixelErrorInSigmas) {
-  for (const Vec3d& p_cam : points_cam_) {
-    const Vec2d expected = kInvSigma * (camera_.project(p_cam).value() - kPixel);
+  for (const Vec3d& p_cam : points_cam) {
+    const Vec2d expected = kInvSigma * (lens.project(p_cam).value() - kPixel);
     EXPECT_LT((residual(p_cam) - expected).norm(), 1e-12);
-    EXPECT_EQ(linearizeReprojection(camera_, p_cam, kPixel, kInvSigma)->r, residual(p_cam));
+    EXPECT_EQ(linearizeReprojection(lens, p_cam, kPixel, kInvSigma)->r, residual(p_cam));
   }
 }
 
 TEST_P(ReprojectionResidual, DiffersByTheCameraPointAsCentralDifferencesDo) {
-  for (const Vec3d& p_cam : points_cam_) {
-    const auto lin = linearizeReprojection(camera_, p_cam, kPixel, kInvSigma).value();
+  for (const Vec3d& p_cam : points_cam) {
+    const auto lin = linearizeReprojection(lens, p_cam, kPixel, kInvSigma).value();
     const Mat23d numeric = differentiate<3>([&](const Vec3d& d) -> Vec3d { return p_cam + d; });
     EXPECT_LT((lin.J_r_point - numeric).norm(), kTolerance);
   }
 }
 
 TEST_P(ReprojectionResidual, DiffersByThePoseAsCentralDifferencesOfALeftPerturbationDo) {
-  for (const Vec3d& p_cam : points_cam_) {
-    const Vec3d p_world = T_cam_world_.inverse() * p_cam;
-    const auto lin = linearizeReprojection(camera_, p_cam, kPixel, kInvSigma).value();
+  for (const Vec3d& p_cam : points_cam) {
+    const Vec3d p_world = T_cam_world.inverse() * p_cam;
+    const auto lin = linearizeReprojection(lens, p_cam, kPixel, kInvSigma).value();
     const Mat26d numeric = differentiate<6>(
-        [&](const Vec6d& d) -> Vec3d { return SE3d::exp(d) * T_cam_world_ * p_world; });
+        [&](const Vec6d& d) -> Vec3d { return SE3d::exp(d) * T_cam_world * p_world; });
     EXPECT_LT((leftPoseJacobian(lin.J_r_point, p_cam) - numeric).norm(), kTolerance);
   }
 }
@@ -67,10 +67,10 @@ TEST_P(ReprojectionResidual, IsNothingBehindTheCameraOrForNumbersThatAreNotFinit
   const Vec3d behind(0.1, 0.1, -1.0);
   const Vec3d visible(0.1, 0.1, 1.0);
   const Vec2d nan(NAN, 0.0);
-  EXPECT_FALSE(reprojectionResidual(camera_, behind, kPixel, 1.0));
-  EXPECT_FALSE(linearizeReprojection(camera_, behind, kPixel, 1.0));
-  EXPECT_FALSE(reprojectionResidual(camera_, visible, nan, 1.0));
-  EXPECT_FALSE(linearizeReprojection(camera_, visible, nan, 1.0));
+  EXPECT_FALSE(reprojectionResidual(lens, behind, kPixel, 1.0));
+  EXPECT_FALSE(linearizeReprojection(lens, behind, kPixel, 1.0));
+  EXPECT_FALSE(reprojectionResidual(lens, visible, nan, 1.0));
+  EXPECT_FALSE(linearizeReprojection(lens, visible, nan, 1.0));
 }
 
 INSTANTIATE_TEST_SUITE_P(AllCameraModels,
