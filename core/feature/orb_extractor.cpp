@@ -1,9 +1,10 @@
 #include "feature/orb_extractor.h"
 
 #include "feature/corner.h"
+#include "feature/corner_orientation.h"
 #include "feature/descriptor.h"
+#include "feature/fast_corners.h"
 #include "feature/level_quota.h"
-#include "feature/refine_corner.h"
 #include "feature/scale_pyramid.h"
 
 #include <opencv2/core.hpp>
@@ -19,9 +20,21 @@ namespace {
 
 /// Corners keep this distance to the borders of their level, px: the patch and the sub-pixel step.
 constexpr int kBorder = kPatchRadius + 1;
-static_assert(kBorder >= kRefineReach);
+static_assert(kBorder >= kFastReach);
 /// A level needs room for at least one corner.
 constexpr int kMinLevelSize = 2 * kBorder + 1;
+static_assert(kBorder >= FeaturePatch::kSize / 2);
+
+FeaturePatch patchAround(const ImageViewU8& level, const Corner& corner, const Vec2f& uv_level) {
+  FeaturePatch patch;
+  constexpr int kHalf = FeaturePatch::kSize / 2;
+  for (int y = 0; y < FeaturePatch::kSize; ++y) {
+    const std::uint8_t* row = level.row(corner.y - kHalf + y) + corner.x - kHalf;
+    std::copy_n(row, FeaturePatch::kSize, patch.pixels.data() + y * FeaturePatch::kSize);
+  }
+  patch.offset = uv_level - Vec2f(static_cast<float>(corner.x), static_cast<float>(corner.y));
+  return patch;
+}
 
 }  // namespace
 
@@ -40,8 +53,11 @@ struct OrbExtractor::Impl {
   ScalePyramid pyramid;
   SteeredPattern pattern;
   std::vector<std::vector<Corner>> corners;  ///< by level
+  std::vector<Vec2f> uv_level;               ///< of one level
+  std::vector<float> angles;                 ///< of one level
   std::vector<Feature> features;
   std::vector<Descriptor> descriptors;
+  std::vector<FeaturePatch> patches;
 };
 
 OrbExtractor::OrbExtractor(const Config::Features& config)
@@ -65,8 +81,9 @@ FeatureSet OrbExtractor::Impl::extract(const ImageViewU8& luma, int count) {
   distribute(count);
   features.clear();
   descriptors.clear();
+  patches.clear();
   for (int level = 0; level < pyramid.levels(); ++level) describeLevel(level);
-  return FeatureSet(features, descriptors, luma.width, luma.height);
+  return FeatureSet(features, descriptors, luma.width, luma.height).withPatches(patches);
 }
 
 void OrbExtractor::Impl::detect() {
@@ -96,15 +113,20 @@ void OrbExtractor::Impl::describeLevel(int level) {
   if (kept.empty()) return;
   const ImageViewU8& sharp = pyramid.level(level);
   const ImageViewU8 smooth = pyramid.smoothed(level);
-  for (const Corner& c : kept) {
-    const Vec2f uv_level = refineCorner(sharp, c.x, c.y);
+  uv_level.resize(kept.size());
+  angles.resize(kept.size());
+  refineCorners(sharp, kept, uv_level);
+  cornerAngles(smooth, kept, angles);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const Corner& c = kept[i];
     Feature feature;
-    feature.uv = pyramid.toLevel0(level, uv_level);
-    feature.angle = centroidAngle(sharp, c.x, c.y);
-    feature.response = c.score;
+    feature.uv = pyramid.toLevel0(level, uv_level[i]);
+    feature.angle = angles[i];
+    feature.response = static_cast<float>(c.score);
     feature.level = static_cast<std::uint8_t>(level);
     descriptors.push_back(pattern.describe(smooth, c.x, c.y, feature.angle));
     features.push_back(feature);
+    patches.push_back(patchAround(sharp, c, uv_level[i]));
   }
 }
 

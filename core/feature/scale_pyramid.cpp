@@ -13,7 +13,10 @@ namespace {
 
 /// Smoothing that makes single-pixel tests repeatable (Calonder et al. 2010, section 3.1).
 constexpr int kBlurSize = 7;
-constexpr double kBlurSigma = 2.0;
+constexpr double kBlurSigma = 1.5;
+/// Smoothing of the whole pyramid against sensor noise.
+constexpr int kDenoiseSize = 5;
+constexpr double kDenoiseSigma = 1.0;
 
 /// cv::Mat has no read-only form: the caller promises not to write to it.
 cv::Mat borrow(const ImageViewU8& view) {
@@ -24,21 +27,29 @@ cv::Mat borrow(const ImageViewU8& view) {
           static_cast<std::size_t>(view.stride)};
 }
 
+void blur(const cv::Mat& image, int size, double sigma, cv::Mat& target) {
+  cv::GaussianBlur(image, target, cv::Size(size, size), sigma, sigma, cv::BORDER_REFLECT_101);
+}
+
 }  // namespace
 
 void ScalePyramid::build(const ImageViewU8& luma) {
-  views_.assign(1, luma);
-  images_.resize(static_cast<std::size_t>(std::max(0, shape_.levels - 1)));
+  views_.clear();
+  images_.resize(static_cast<std::size_t>(std::max(1, shape_.levels)));
   double scale = 1.0;
   for (ImageU8& image : images_) {
-    scale *= shape_.scale_factor;
     const int width = static_cast<int>(std::lround(luma.width / scale));
     const int height = static_cast<int>(std::lround(luma.height / scale));
     if (std::min(width, height) < shape_.min_size_px) break;
     image.resize(width, height);
     cv::Mat target = borrow(image.view());
-    cv::resize(borrow(views_.back()), target, target.size(), 0.0, 0.0, cv::INTER_LINEAR);
+    if (views_.empty()) {
+      blur(borrow(luma), kDenoiseSize, kDenoiseSigma, target);
+    } else {
+      cv::resize(borrow(views_.back()), target, target.size(), 0.0, 0.0, cv::INTER_LINEAR);
+    }
     views_.push_back(image.view());
+    scale *= shape_.scale_factor;
   }
 }
 
@@ -46,12 +57,7 @@ ImageViewU8 ScalePyramid::smoothed(int level) {
   const ImageViewU8& sharp = this->level(level);
   smooth_.resize(sharp.width, sharp.height);
   cv::Mat target = borrow(smooth_.view());
-  cv::GaussianBlur(borrow(sharp),
-                   target,
-                   cv::Size(kBlurSize, kBlurSize),
-                   kBlurSigma,
-                   kBlurSigma,
-                   cv::BORDER_REFLECT_101);
+  blur(borrow(sharp), kBlurSize, kBlurSigma, target);
   return smooth_.view();
 }
 

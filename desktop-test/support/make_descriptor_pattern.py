@@ -121,7 +121,7 @@ def candidates(rng):
 
 def pick(tests, first, second):
     mean, flips = first.mean(0), (first != second).mean(0)
-    order = np.argsort(flips - 2 * mean * (1 - mean), kind="stable")[:SHORT_LIST]
+    order = np.argsort(0.5 * flips - 2 * mean * (1 - mean), kind="stable")[:SHORT_LIST]
     tests, mean, flips = tests[order], mean[order], flips[order]
     normal = ((first[:, order] - mean) / np.sqrt(mean * (1 - mean))).astype(np.float32)
     correlation = np.abs(normal.T @ normal) / len(first)
