@@ -15,8 +15,9 @@ namespace glide {
 namespace {
 // No longer than the padding of an image row, so that whole vectors fit at its end.
 constexpr int kMaxLanes = 16;
-constexpr int kRowMargin = kMaxLanes;     // left of column 0 of the blurred row; two are used
-constexpr int kRowSpare = 4 * kMaxLanes;  // right of it: two border pixels, then whole vectors
+constexpr std::size_t kRowMargin = kMaxLanes;  // left of column 0 of the blurred row; two are used
+constexpr std::size_t kRowSpare =
+    4 * kMaxLanes;  // right of it: two border pixels, then whole vectors
 }  // namespace
 }  // namespace glide
 #endif
@@ -129,7 +130,7 @@ void buildPyramid(const ImageViewU8& luma, int levels, Pyramid* out) {
   out->levels.front().resize(luma.width, luma.height);
   HWY_DYNAMIC_DISPATCH(convertImage)(luma, &out->levels.front());
 
-  out->blurred_row.resize(static_cast<std::size_t>(kRowMargin + luma.width + kRowSpare));
+  out->blurred_row.resize(kRowMargin + static_cast<std::size_t>(luma.width) + kRowSpare);
   for (std::size_t l = 1; l < out->levels.size(); ++l) {
     const ImageF& fine = out->levels[l - 1];
     out->levels[l].resize((fine.width() + 1) / 2, (fine.height() + 1) / 2);

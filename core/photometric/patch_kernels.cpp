@@ -169,10 +169,21 @@ sumPatch(D d, const ImageF& image, const PatchLayout& layout, const PatchProbe& 
   return {total(s1), total(s2), total(sc), total(sx), total(sy)};
 }
 
+template <class D>
+HWY_INLINE void sumAll(D d,
+                       const ImageF& image,
+                       const PatchLayout& layout,
+                       std::span<const PatchProbe> probes,
+                       PatchSums* sums) {
+  for (const PatchProbe& probe : probes) *sums++ = sumPatch(d, image, layout, probe);
+}
+
 void cachePatchesImpl(const ImageF& image,
                       const PatchLayout& layout,
                       std::span<const PatchSite> sites,
                       PatchCache out) {
+  // NOLINTNEXTLINE(bugprone-branch-clone): one type where vectors are short, two where they are
+  // long
   if (layout.stride == 8) {
     cacheAll(hn::CappedTag<float, 8>(), image, layout, sites, out);
   } else {
@@ -184,12 +195,11 @@ void sumPatchesImpl(const ImageF& image,
                     const PatchLayout& layout,
                     std::span<const PatchProbe> probes,
                     PatchSums* sums) {
+  // NOLINTNEXTLINE(bugprone-branch-clone): as above
   if (layout.stride == 8) {
-    const hn::CappedTag<float, 8> d;
-    for (const PatchProbe& probe : probes) *sums++ = sumPatch(d, image, layout, probe);
+    sumAll(hn::CappedTag<float, 8>(), image, layout, probes, sums);
   } else {
-    const hn::CappedTag<float, 16> d;
-    for (const PatchProbe& probe : probes) *sums++ = sumPatch(d, image, layout, probe);
+    sumAll(hn::CappedTag<float, 16>(), image, layout, probes, sums);
   }
 }
 

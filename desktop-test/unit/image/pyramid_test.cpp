@@ -32,22 +32,27 @@ struct NaiveImage {
   double clamped(int x, int y) const {
     const int cx = std::clamp(x, 0, width - 1);
     const int cy = std::clamp(y, 0, height - 1);
-    return pixels[static_cast<std::size_t>(cy * width + cx)];
+    return pixels[static_cast<std::size_t>(cy) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(cx)];
   }
 };
 
-NaiveImage naiveHalf(const NaiveImage& fine) {
+double naiveBlurAt(const NaiveImage& fine, int x, int y) {
   constexpr double kWeights[] = {1.0, 4.0, 6.0, 4.0, 1.0};
+  double sum = 0.0;
+  for (int k = 0; k < 25; ++k) {
+    const int i = k % 5;
+    const int j = k / 5;
+    sum += kWeights[i] * kWeights[j] * fine.clamped(x + i - 2, y + j - 2);
+  }
+  return sum / 256.0;
+}
+
+NaiveImage naiveHalf(const NaiveImage& fine) {
   NaiveImage coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}};
   for (int y = 0; y < coarse.height; ++y) {
     for (int x = 0; x < coarse.width; ++x) {
-      double sum = 0.0;
-      for (int k = 0; k < 25; ++k) {
-        const int i = k % 5;
-        const int j = k / 5;
-        sum += kWeights[i] * kWeights[j] * fine.clamped(2 * x + i - 2, 2 * y + j - 2);
-      }
-      coarse.pixels.push_back(sum / 256.0);
+      coarse.pixels.push_back(naiveBlurAt(fine, 2 * x, 2 * y));
     }
   }
   return coarse;
@@ -69,6 +74,14 @@ double worstDifference(const ImageF& image, const NaiveImage& naive) {
     }
   }
   return worst;
+}
+
+bool areEqual(const ImageF& a, const ImageF& b) {
+  if (a.width() != b.width() || a.height() != b.height()) return false;
+  for (int y = 0; y < a.height(); ++y) {
+    if (!std::equal(a.row(y), a.row(y) + a.width(), b.row(y))) return false;
+  }
+  return true;
 }
 
 void expectMatchesNaive(const ImageU8& image, int levels) {
@@ -158,13 +171,8 @@ TEST(Pyramid, ReadsOnlyTheRowsOfABorrowedImage) {
   Pyramid from_padded;
   buildPyramid({packed.data(), kWidth, kHeight, kWidth}, 2, &from_packed);
   buildPyramid(image.view(), 2, &from_padded);
-  for (std::size_t l = 0; l < 2; ++l) {
-    for (int y = 0; y < from_packed.levels[l].height(); ++y) {
-      for (int x = 0; x < from_packed.levels[l].width(); ++x) {
-        ASSERT_EQ(from_packed.levels[l].at(x, y), from_padded.levels[l].at(x, y));
-      }
-    }
-  }
+  EXPECT_TRUE(areEqual(from_packed.levels[0], from_padded.levels[0]));
+  EXPECT_TRUE(areEqual(from_packed.levels[1], from_padded.levels[1]));
 }
 
 TEST(Pyramid, KeepsItsBuffersFromFrameToFrame) {

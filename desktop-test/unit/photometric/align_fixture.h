@@ -119,6 +119,14 @@ inline void expectAccurate(const AlignResult& result, const AlignScenario& scena
   EXPECT_LT(error.degrees, kMaxErrorDegrees);
 }
 
+/// Offset of pixel k of a patch, row by row.
+inline Vec2d patchOffset(int k, int size) {
+  const int row = k / size;
+  const int column = k % size;
+  const int half = size / 2;
+  return Vec2d(column - half, row - half);
+}
+
 /// The plain twin of the sampling kernels: one bilinear sample in double.
 inline double bilinear(const ImageF& image, double u, double v) {
   const int x = static_cast<int>(std::floor(u));

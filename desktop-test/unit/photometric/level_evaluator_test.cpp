@@ -48,8 +48,10 @@ struct Level {
 
 std::vector<double> patchAt(const ImageF& image, const Vec2d& uv, int size) {
   std::vector<double> grey;
+  grey.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
   for (int k = 0; k < size * size; ++k) {
-    grey.push_back(bilinear(image, uv.x() + k % size - size / 2, uv.y() + k / size - size / 2));
+    const Vec2d at = uv + test::patchOffset(k, size);
+    grey.push_back(bilinear(image, at.x(), at.y()));
   }
   return grey;
 }

@@ -35,8 +35,9 @@ struct PlainPatch {
 PlainPatch plainPatch(const ImageF& image, double u, double v, int size) {
   PlainPatch patch;
   for (int k = 0; k < size * size; ++k) {
-    const double x = u + k % size - size / 2;
-    const double y = v + k / size - size / 2;
+    const Vec2d offset = test::patchOffset(k, size);
+    const double x = u + offset.x();
+    const double y = v + offset.y();
     patch.e.push_back(bilinear(image, x, y));
     patch.gx.push_back((bilinear(image, x + 1, y) - bilinear(image, x - 1, y)) / 2);
     patch.gy.push_back((bilinear(image, x, y + 1) - bilinear(image, x, y - 1)) / 2);
@@ -96,6 +97,7 @@ void expectKernelsMatchPlainCode(int size) {
   for (int i = 0; i < 10; ++i) pixels.emplace_back(along_x(random), along_y(random));
 
   std::vector<PatchSite> sites;
+  sites.reserve(pixels.size());
   for (const Vec2d& uv : pixels) sites.push_back(PatchSite::around(uv.x(), uv.y(), half));
   AlignedVector<float> blocks(sites.size() * layout.blockSize(), NAN);
   std::vector<PatchMoments> moments(sites.size());
@@ -114,8 +116,8 @@ void expectKernelsMatchPlainCode(int size) {
     expectMomentsMatch(moments[i], plain, size);
     const Vec2d& uv = pixels[sites.size() - 1 - i];
     const PlainPatch seen = plainPatch(frame, uv.x(), uv.y(), size);
-    std::vector<double> values;
-    for (const double e : seen.e) values.push_back(e + seen.mean - plain.mean);
+    std::vector<double> values = seen.e;
+    for (double& value : values) value += seen.mean - plain.mean;
     expectSumsMatch(sums[i], values, plain, size);
   }
 }

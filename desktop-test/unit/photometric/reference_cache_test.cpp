@@ -44,35 +44,40 @@ Eigen::VectorXd greyLevels(const ImageF& image,
                            const Vec6d& delta) {
   const Vec2d uv = *camera.project(SE3d::exp(delta) * p_ref);
   Eigen::VectorXd grey(kPatch * kPatch);
-  for (int k = 0; k < grey.size(); ++k) {
-    grey(k) = bilinear(image, uv.x() + k % kPatch - kHalf, uv.y() + k / kPatch - kHalf);
+  for (int k = 0; k < kPatch * kPatch; ++k) {
+    const Vec2d at = uv + test::patchOffset(k, kPatch);
+    grey(k) = bilinear(image, at.x(), at.y());
   }
   return grey;
+}
+
+/// J^T J of a patch by central differences of plain samples.
+Mat6d numericNormalMatrix(const ImageF& image, const CameraModel& camera, const Vec3d& p_ref) {
+  constexpr double kStep = 0.004;  // about half a pixel: the gradient is a difference over two
+  Eigen::MatrixXd J(kPatch * kPatch, 6);
+  for (int j = 0; j < 6; ++j) {
+    const Vec6d step = kStep * Vec6d::Unit(j);
+    J.col(j) = (greyLevels(image, camera, p_ref, step) - greyLevels(image, camera, p_ref, -step)) /
+               (2.0 * kStep);
+  }
+  return J.transpose() * J;
 }
 
 class ReferenceCacheOfLens : public testing::TestWithParam<DistortionModel> {};
 
 TEST_P(ReferenceCacheOfLens, HasTheNormalMatrixOfTheNumericJacobian) {
-  constexpr double kStep = 0.004;  // about half a pixel: the gradient is a difference over two
   const CameraModel camera = makeCamera(GetParam(), 160, 120);
   const Pyramid pyramid = smoothPyramid(camera);
   const std::vector<AlignPoint> points{pointAt(camera, 50.2, 60.7, 1.2),
                                        pointAt(camera, 110.6, 40.3, 2.0)};
   const ReferenceCache cache = cacheOf(camera, points);
-  for (std::size_t l = 0; l < 2; ++l) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t l = k / 2;
+    const std::size_t i = k % 2;
     const CameraModel level_camera = camera.atLevel(static_cast<int>(l));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      Eigen::MatrixXd J(kPatch * kPatch, 6);
-      for (int j = 0; j < 6; ++j) {
-        const Vec6d step = kStep * Vec6d::Unit(j);
-        J.col(j) = (greyLevels(pyramid.levels[l], level_camera, points[i].p_ref, step) -
-                    greyLevels(pyramid.levels[l], level_camera, points[i].p_ref, -step)) /
-                   (2.0 * kStep);
-      }
-      const Mat6d expected = J.transpose() * J;
-      const Mat6d H = unpackHessian(cache.levels[l].normals[i].H);
-      EXPECT_LT((H - expected).norm(), 0.05 * expected.norm()) << "level " << l << " point " << i;
-    }
+    const Mat6d expected = numericNormalMatrix(pyramid.levels[l], level_camera, points[i].p_ref);
+    const Mat6d H = unpackHessian(cache.levels[l].normals[i].H);
+    EXPECT_LT((H - expected).norm(), 0.05 * expected.norm()) << "level " << l << " point " << i;
   }
 }
 
