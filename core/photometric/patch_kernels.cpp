@@ -182,8 +182,8 @@ void cachePatchesImpl(const ImageF& image,
                       const PatchLayout& layout,
                       std::span<const PatchSite> sites,
                       PatchCache out) {
-  // NOLINTNEXTLINE(bugprone-branch-clone): one type where vectors are short, two where they are
-  // long
+  // One type where vectors are short, two where they are long.
+  // NOLINTNEXTLINE(bugprone-branch-clone)
   if (layout.stride == 8) {
     cacheAll(hn::CappedTag<float, 8>(), image, layout, sites, out);
   } else {
@@ -195,7 +195,7 @@ void sumPatchesImpl(const ImageF& image,
                     const PatchLayout& layout,
                     std::span<const PatchProbe> probes,
                     PatchSums* sums) {
-  // NOLINTNEXTLINE(bugprone-branch-clone): as above
+  // NOLINTNEXTLINE(bugprone-branch-clone)
   if (layout.stride == 8) {
     sumAll(hn::CappedTag<float, 8>(), image, layout, probes, sums);
   } else {
