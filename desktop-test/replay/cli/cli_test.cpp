@@ -2,6 +2,7 @@
 #include "replay/cli/replay_program.h"
 #include "replay/common/text.h"
 #include "replay/readers/scratch_folder.h"
+#include "support/data_path.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -204,6 +205,16 @@ TEST_F(ReplayProgram, GoesOnPastATruncatedImageAndNamesIt) {
   EXPECT_THAT(output("log.txt"),
               HasSubstr("1 of 24 images listed in rgb.txt are missing (first: rgb/18.png)"));
   EXPECT_EQ(nlohmann::json::parse(output("stats.json"))["frames"]["in"], kRenderedFrames - 2);
+}
+
+TEST_F(ReplayProgram, CountsTheMissingImagesOfARealSequenceOnce) {
+  const auto office = test::sharedData("tum_fr3_office_16");
+  if (!office) GTEST_SKIP() << "../shared/data/tum_fr3_office_16 is not there";
+  const ProgramResult result = run({"tum:" + office->string()});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_THAT(result.out,
+              HasSubstr("2569 of 2585 images listed in rgb.txt are missing (first: rgb/13418479"));
+  EXPECT_EQ(nlohmann::json::parse(output("stats.json"))["frames"]["in"], 16);
 }
 
 TEST_F(ReplayProgram, KeepsPaceWithTheTimestampsInRealtime) {

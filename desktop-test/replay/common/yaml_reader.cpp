@@ -16,16 +16,16 @@ std::string withoutOpenCvHeader(std::string text) {
 
 }  // namespace
 
-YamlReader::YamlReader(std::filesystem::path file, YAML::Node root)
-    : file_(std::move(file)), root_(std::move(root)) {}
+YamlReader::YamlReader(std::filesystem::path file, const YAML::Node& root)
+    : file_(std::move(file)), root_(root) {}
 
 Result<YamlReader> YamlReader::open(const std::filesystem::path& file) {
   const Result<std::string> text = readFile(file);
   if (!text) return text.error();
   try {
-    YAML::Node root = YAML::Load(withoutOpenCvHeader(*text));
+    const YAML::Node root = YAML::Load(withoutOpenCvHeader(*text));
     if (!root.IsMap()) return errorIn(file, "is not a YAML map of fields");
-    return YamlReader(file, std::move(root));
+    return YamlReader(file, root);
   } catch (const YAML::Exception& fault) {
     return errorAt(file, fault.mark.line + 1, fault.msg);
   }

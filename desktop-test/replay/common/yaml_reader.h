@@ -39,7 +39,7 @@ class YamlReader {
   const std::optional<Error>& error() const { return error_; }
 
  private:
-  YamlReader(std::filesystem::path file, YAML::Node root);
+  YamlReader(std::filesystem::path file, const YAML::Node& root);
   /// The child, or nothing after an error "missing".
   std::optional<YAML::Node> required(const YAML::Node& map, const std::string& key);
 

@@ -81,6 +81,7 @@ std::optional<RelativeError> relativeError(const Trajectory& truth,
                                            double scale) {
   const std::vector<PosePair> pairs = associate(truth, estimate);
   std::vector<double> times;
+  times.reserve(pairs.size());
   for (const PosePair& pair : pairs) times.push_back(toSeconds(estimate[pair.estimate].t_ns));
   RelativeError error;
   double trans_sum = 0.0, rot_sum = 0.0;

@@ -4,6 +4,7 @@
 #include "replay/evaluation/accuracy.h"
 #include "replay/evaluation/random_trajectories.h"
 #include "replay/readers/scratch_folder.h"
+#include "support/data_path.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -33,12 +34,18 @@ class EvoAgreement : public testing::Test {
   }
 
   std::optional<double> evoRmse(const fs::path& truth, const fs::path& estimate) const {
+    return evoRmse("tum", truth, estimate);
+  }
+
+  std::optional<double> evoRmse(const std::string& format,
+                                const fs::path& truth,
+                                const fs::path& estimate) const {
     const std::string venv = GLIDE_EVO_VENV;
     const std::string zip = (folder_.path() / "evo.zip").string();
     fs::remove(zip);
     const ProgramResult evo = runShell(
-        "HOME=" + folder_.path().string() + " " + venv + "/bin/evo_ape tum " + truth.string() +
-            " " + estimate.string() + " -as --no_warnings --save_results " + zip,
+        "HOME=" + folder_.path().string() + " " + venv + "/bin/evo_ape " + format + " " +
+            truth.string() + " " + estimate.string() + " -as --no_warnings --save_results " + zip,
         folder_.path());
     EXPECT_EQ(evo.exit_code, 0) << evo.out << evo.err;
     const ProgramResult stats = runShell(venv +
@@ -112,6 +119,28 @@ TEST_F(EvoAgreement, HoldsForWhatReplayWrites) {
     ASSERT_TRUE(evos.has_value());
     EXPECT_NEAR(ours, *evos, kAgreement);
   }
+}
+
+TEST_F(EvoAgreement, HoldsForTheBodysTrajectoryAgainstARawEurocTruth) {
+  const auto euroc = test::sharedData("euroc_MH01_5s-21s");
+  if (!euroc) GTEST_SKIP() << "../shared/data/euroc_MH01_5s-21s is not there";
+  const fs::path out = folder_.path() / "out";
+  const ProgramResult replay = runReplay({euroc->string(),
+                                          "--deterministic",
+                                          "--max-frames",
+                                          "60",
+                                          "--trajectory-frame",
+                                          "body",
+                                          "--json",
+                                          "-o",
+                                          out.string()},
+                                         folder_.path());
+  ASSERT_EQ(replay.exit_code, 0) << replay.err;
+  const double ours = nlohmann::json::parse(replay.out)["accuracy"]["ate_rmse_m"];
+  const fs::path truth = *euroc / "mav0/state_groundtruth_estimate0/data.csv";
+  const auto evos = evoRmse("euroc", truth, out / "trajectory.tum");
+  ASSERT_TRUE(evos.has_value());
+  EXPECT_NEAR(ours, *evos, kAgreement);
 }
 
 }  // namespace

@@ -77,12 +77,9 @@ Status readList(const fs::path& list, const ListFormat& format, Dataset& dataset
 
 /// The original sequences are told by their names: rgbd_dataset_freiburg3_..., tum_fr3_...
 std::string presetOf(const std::string& name) {
-  for (const char digit : {'1', '2', '3'}) {
-    for (const std::string_view prefix : {"freiburg", "fr"}) {
-      if (name.find(std::string(prefix) + digit + "_") != std::string::npos) {
-        return std::string("freiburg") + digit;
-      }
-    }
+  const auto has = [&](const std::string& part) { return name.find(part) != std::string::npos; };
+  for (const std::string digit : {"1", "2", "3"}) {
+    if (has("freiburg" + digit + "_") || has("fr" + digit + "_")) return "freiburg" + digit;
   }
   return {};
 }

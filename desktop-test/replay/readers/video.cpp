@@ -20,8 +20,12 @@ constexpr double kDefaultFps = 30.0;
 
 class VideoSource : public FrameSource {
  public:
-  VideoSource(cv::VideoCapture capture, const FrameSelection& selection, std::optional<double> fps)
-      : capture_(std::move(capture)), selection_(selection), fps_(fps) {
+  VideoSource(const cv::VideoCapture& capture,
+              const FrameSelection& selection,
+              std::optional<double> fps)
+      : capture_(capture),  // shares the open file
+        selection_(selection),
+        fps_(fps) {
     const double nominal = capture_.get(cv::CAP_PROP_FPS);
     frame_interval_s_ = 1.0 / fps.value_or(nominal > 0.0 ? nominal : kDefaultFps);
     info_.listed = std::max(0, static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_COUNT)));
@@ -50,7 +54,7 @@ class VideoSource : public FrameSource {
   int expectedFrames() const {
     const double length_s = info_.listed * frame_interval_s_ - selection_.start_s;
     const double used_s = std::min(length_s, selection_.duration_s.value_or(length_s));
-    const int frames = std::max(0, static_cast<int>(used_s / frame_interval_s_ + 0.5));
+    const int frames = std::max(0, static_cast<int>(std::lround(used_s / frame_interval_s_)));
     const int strided = (frames + selection_.stride - 1) / selection_.stride;
     return selection_.max_frames ? std::min(strided, *selection_.max_frames) : strided;
   }
@@ -125,7 +129,7 @@ Result<std::unique_ptr<FrameSource>> openVideo(const std::filesystem::path& file
                                                std::optional<double> fps) {
   cv::VideoCapture capture(file.string(), cv::CAP_FFMPEG);
   if (!capture.isOpened()) return errorIn(file, "is no video that can be decoded");
-  auto source = std::make_unique<VideoSource>(std::move(capture), selection, fps);
+  auto source = std::make_unique<VideoSource>(capture, selection, fps);
   source->setOrigin(file);
   if (source->info().width == 0) return errorIn(file, "has no frame in the part asked for");
   return std::unique_ptr<FrameSource>(std::move(source));
