@@ -171,6 +171,13 @@ void Map::setPose(KeyframeId id, const SE3d& T_cam_world) {
   if (keyframe != keyframes_.end()) keyframe->second.T_cam_world = T_cam_world;
 }
 
+void Map::moveFeatures(KeyframeId id, std::span<const FeatureMove> moves) {
+  const auto keyframe = keyframes_.find(id);
+  if (keyframe == keyframes_.end() || moves.empty()) return;
+  keyframe->second.features =
+      std::make_shared<const FeatureSet>(keyframe->second.features->withMoved(moves));
+}
+
 void Map::setPosition(LandmarkId id, const Vec3d& p_world) {
   if (Landmark* landmark = find(id)) landmark->p_world = p_world;
 }

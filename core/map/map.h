@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -63,6 +64,8 @@ class Map {
   void clear();
 
   void setPose(KeyframeId id, const SE3d& T_cam_world);
+  /// Replaces the keyframe's features by a copy in which some corners lie elsewhere.
+  void moveFeatures(KeyframeId id, std::span<const FeatureMove> moves);
   void setPosition(LandmarkId id, const Vec3d& p_world);
   void countSighting(const LandmarkSighting& sighting);  ///< ignored when the landmark is gone
 

@@ -2,6 +2,8 @@
 
 #include "mapping/epipolar_search.h"
 
+#include "map/feature_refinement.h"
+
 #include "base/median.h"
 #include "geometry/robust.h"
 #include "geometry/triangulate.h"
@@ -25,32 +27,65 @@ EpipolarView viewOf(const Keyframe& keyframe, BearingCache* bearings) {
   return {keyframe.features.get(), bearings->of(keyframe), keyframe.landmarks};
 }
 
-bool reprojects(const MapperState& state, const Feature& feature, const Vec3d& p_cam) {
+bool reprojects(const MapperState& state, const Vec2d& uv_seen, int level, const Vec3d& p_cam) {
   const std::optional<Vec2d> uv = state.camera.project(p_cam);
   if (!uv) return false;
-  const double inv_sigma = inverseSigma(state.map.levels(), feature.level);
-  return (*uv - feature.uv.cast<double>()).squaredNorm() * inv_sigma * inv_sigma < kChi2_2;
+  const double inv_sigma = inverseSigma(state.map.levels(), level);
+  return (*uv - uv_seen).squaredNorm() * inv_sigma * inv_sigma < kChi2_2;
 }
+
+// A pair of keyframes with the way between them.
+struct Pair {
+  const Keyframe& a;
+  const Keyframe& b;
+  SE3d T_b_a;
+};
 
 // Point in camera a, when both features agree on it.
 std::optional<Vec3d> locate(MapperState* state,
-                            const Keyframe& a,
-                            const Keyframe& b,
-                            const SE3d& T_b_a,
-                            const Match& match) {
-  const auto i = static_cast<std::size_t>(match.a);
+                            const Pair& pair,
+                            const Match& match,
+                            const Vec2d& uv_a) {
+  const Feature& feature_a = pair.a.features->feature(static_cast<std::size_t>(match.a));
   const auto j = static_cast<std::size_t>(match.b);
-  std::optional<Vec3d> p_a = triangulate(T_b_a, state->bearings.of(a)[i], state->bearings.of(b)[j]);
+  const Feature& feature_b = pair.b.features->feature(j);
+  const std::optional<Vec3d> bearing_a = state->camera.unproject(uv_a);
+  if (!bearing_a) return std::nullopt;
+  std::optional<Vec3d> p_a = triangulate(pair.T_b_a, *bearing_a, state->bearings.of(pair.b)[j]);
   if (!p_a || !p_a->allFinite()) return std::nullopt;
-  if (!reprojects(*state, a.features->feature(i), *p_a)) return std::nullopt;
-  if (!reprojects(*state, b.features->feature(j), T_b_a * *p_a)) return std::nullopt;
+  if (!reprojects(*state, uv_a, feature_a.level, *p_a)) return std::nullopt;
+  const Vec2d uv_b = feature_b.uv.cast<double>();
+  if (!reprojects(*state, uv_b, feature_b.level, pair.T_b_a * *p_a)) return std::nullopt;
   return p_a;
 }
 
-void createWithNeighbor(MapperState* state,
-                        KeyframeId id_a,
-                        KeyframeId id_b,
-                        std::vector<LandmarkId>* created) {
+// Point in camera a from the corners as found, then with a's corner aligned to b's patch: depth
+// from a short baseline needs both to be the same spot to a tenth of a pixel.
+std::optional<Vec3d> locateAligned(MapperState* state,
+                                   const Pair& pair,
+                                   const Match& match,
+                                   std::vector<FeatureMove>* moves) {
+  const auto i = static_cast<std::size_t>(match.a);
+  const Vec2d uv_a = pair.a.features->feature(i).uv.cast<double>();
+  std::optional<Vec3d> p_a = locate(state, pair, match, uv_a);
+  if (!p_a) return std::nullopt;
+  const std::optional<FeatureMove> move =
+      refineFeature({&state->camera, &state->map.levels()},
+                    {pair.b.features.get(), match.b, pair.b.T_cam_world},
+                    {pair.a.features.get(), match.a, pair.a.T_cam_world},
+                    pair.a.T_cam_world.inverse() * *p_a);
+  if (!move) return p_a;
+  std::optional<Vec3d> p_aligned = locate(state, pair, match, move->uv.cast<double>());
+  if (p_aligned) moves->push_back(*move);
+  return p_aligned;
+}
+
+struct Creation {
+  std::vector<LandmarkId> landmarks;
+  std::vector<FeatureMove> moves;  // of the new keyframe's features
+};
+
+void createWithNeighbor(MapperState* state, KeyframeId id_a, KeyframeId id_b, Creation* creation) {
   const Keyframe& a = *state->map.keyframe(id_a);
   const Keyframe& b = *state->map.keyframe(id_b);
   const SE3d T_world_a = a.T_cam_world.inverse();
@@ -68,12 +103,12 @@ void createWithNeighbor(MapperState* state,
                                                               options,
                                                               state->map.levels());
   for (const Match& match : matches) {
-    const std::optional<Vec3d> p_a = locate(state, a, b, T_b_a, match);
+    const std::optional<Vec3d> p_a = locateAligned(state, {a, b, T_b_a}, match, &creation->moves);
     if (!p_a) continue;
     const LandmarkId landmark = state->map.addLandmark(T_world_a * *p_a, id_a);
     state->map.addObservation(landmark, {id_a, match.a});
     state->map.addObservation(landmark, {id_b, match.b});
-    created->push_back(landmark);
+    creation->landmarks.push_back(landmark);
   }
 }
 
@@ -82,7 +117,7 @@ void createWithNeighbor(MapperState* state,
 std::vector<LandmarkId> createLandmarks(MapperState* state,
                                         KeyframeId id,
                                         const std::atomic<bool>* interrupt) {
-  std::vector<LandmarkId> created;
+  Creation creation;
   std::vector<CovisibleKeyframe> neighbors =
       state->map.covisibility().neighbors(id, state->config.mapping.min_covisibility);
   const auto wanted = static_cast<std::size_t>(state->config.mapping.neighbors);
@@ -90,10 +125,12 @@ std::vector<LandmarkId> createLandmarks(MapperState* state,
   for (std::size_t i = 0; i < neighbors.size(); ++i) {
     const bool is_hurried = interrupt != nullptr && interrupt->load();
     if (is_hurried && i >= kNeighborsWhenInterrupted) break;
-    createWithNeighbor(state, id, neighbors[i].id, &created);
+    createWithNeighbor(state, id, neighbors[i].id, &creation);
   }
+  state->map.moveFeatures(id, creation.moves);
+  state->bearings.forget(id);
   state->map.refreshChanged();
-  return created;
+  return creation.landmarks;
 }
 
 double medianDepth(const Map& map, const Keyframe& keyframe) {

@@ -1,5 +1,7 @@
 #include "track/indirect_tracker.h"
 
+#include "track/match_refinement.h"
+
 #include "base/median.h"
 #include "base/stopwatch.h"
 #include "geometry/pnp.h"
@@ -30,7 +32,11 @@ double windowOf(GuessQuality quality) {
 }  // namespace
 
 IndirectTracker::IndirectTracker(const Config& config, const CameraModel& camera)
-    : config_(config), camera_(camera), extractor_(config.features), search_(config, camera) {}
+    : config_(config),
+      camera_(camera),
+      extractor_(config.features),
+      levels_(config.features.scale_factor, config.features.levels),
+      search_(config, camera) {}
 
 std::shared_ptr<const FeatureSet> IndirectTracker::extract(const ImageViewU8& luma, int count) {
   return std::make_shared<const FeatureSet>(extractor_.extract(luma, count));
@@ -64,6 +70,15 @@ TrackedFrame IndirectTracker::track(const Frame& frame, const IndirectGuess& gue
                  &attempt.matches);
   tracked.stats.match_ms = watch.lapMs();
   attempt.pose = search_.refine(attempt.pose.T_cam_world, *tracked.features, &attempt.matches);
+  if (attempt.pose.valid) {
+    const std::vector<FeatureMove> moves = refineMatches({&camera_, &levels_},
+                                                         *frame.map,
+                                                         attempt.pose.T_cam_world,
+                                                         *tracked.features,
+                                                         attempt.matches);
+    tracked.features = std::make_shared<const FeatureSet>(tracked.features->withMoved(moves));
+    attempt.pose = search_.refine(attempt.pose.T_cam_world, *tracked.features, &attempt.matches);
+  }
   tracked.stats.pose_ms += watch.lapMs();
   if (!attempt.pose.valid) return tracked;
   report(frame, attempt, local, &tracked);

@@ -55,6 +55,7 @@ class IndirectTracker {
   Config config_;
   CameraModel camera_;
   OrbExtractor extractor_;
+  ScaleLevels levels_;
   LandmarkSearch search_;
   std::vector<LandmarkId> recent_;  ///< landmarks of the last frame that was tracked
 };
