@@ -21,6 +21,9 @@ constexpr double kConverged = 1e-14;
 constexpr double kAccepted = 1e-12;
 constexpr int kMaxNewtonSteps = 20;
 
+/// Newton's method converges quadratically: after a step this small the next one is rounding error.
+constexpr double kRelativeStep = 1e-10;
+
 double radialFactor(const DistortionCoefficients& k, double r2) {
   return 1.0 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]));
 }
@@ -56,11 +59,25 @@ std::optional<double> invertRising(const F& f, const Derivative& df, double valu
     const double error = f(x) - value;
     (error > 0.0 ? high : low) = x;
     const double newton = x - error / df(x);
-    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-    if (std::abs(next - x) <= std::numeric_limits<double>::epsilon() * x) return next;
-    x = next;
+    if (std::abs(newton - x) <= kRelativeStep * x) return newton;
+    x = newton > low && newton < high ? newton : 0.5 * (low + high);
   }
   return x;
+}
+
+/// Newton's method from a start; nothing when it does not converge.
+std::optional<Vec2d> undistortFrom(const DistortionCoefficients& k,
+                                   const Vec2d& distorted,
+                                   const Vec2d& start) {
+  Vec2d xy = start;
+  for (int i = 0; i < kMaxNewtonSteps; ++i) {
+    const DistortedPoint point = distortWithJacobian(k, xy);
+    const Vec2d residual = point.xy - distorted;
+    if (residual.squaredNorm() < kConverged * kConverged) return xy;
+    xy -= point.J_distorted_xy.inverse() * residual;
+  }
+  const double error = (distortRadialTangential(k, xy) - distorted).norm();
+  return error < kAccepted ? std::optional(xy) : std::nullopt;
 }
 
 }  // namespace
@@ -115,26 +132,20 @@ double monotonicLimit(DistortionModel model, const DistortionCoefficients& k) {
 std::optional<Vec3d> unprojectRadialTangential(const DistortionCoefficients& k,
                                                const Vec2d& distorted,
                                                double limit) {
-  const double distorted_radius = distorted.norm();
-  if (distorted_radius < std::numeric_limits<double>::min()) return Vec3d::UnitZ();
-  // Start from the radial part alone, which always converges, then add the tangential one.
-  const std::optional<double> radius =
-      invertRising([&](double r) { return r * radialFactor(k, r * r); },
-                   [&](double r) { return radialDerivative(k, r * r); },
-                   distorted_radius,
-                   std::sqrt(limit));
-  if (!radius) return std::nullopt;
-
-  Vec2d xy = distorted * (*radius / distorted_radius);
-  double error = kInfinity;
-  for (int i = 0; i < kMaxNewtonSteps && error > kConverged; ++i) {
-    const DistortedPoint point = distortWithJacobian(k, xy);
-    const Vec2d residual = point.xy - distorted;
-    error = residual.norm();
-    xy -= point.J_distorted_xy.inverse() * residual;
+  std::optional<Vec2d> xy = undistortFrom(k, distorted, distorted);
+  if (!xy || !(xy->squaredNorm() <= limit)) {
+    // Strong distortion: start from the radial part alone, which always converges.
+    const double distorted_radius = distorted.norm();
+    const std::optional<double> radius =
+        invertRising([&](double r) { return r * radialFactor(k, r * r); },
+                     [&](double r) { return radialDerivative(k, r * r); },
+                     distorted_radius,
+                     std::sqrt(limit));
+    if (!radius) return std::nullopt;
+    xy = undistortFrom(k, distorted, distorted * (*radius / distorted_radius));
+    if (!xy || !(xy->squaredNorm() <= limit)) return std::nullopt;
   }
-  if (!(error < kAccepted && xy.squaredNorm() <= limit)) return std::nullopt;
-  return Vec3d(xy.x(), xy.y(), 1.0).normalized();
+  return Vec3d(xy->x(), xy->y(), 1.0).normalized();
 }
 
 std::optional<Vec3d> unprojectKannalaBrandt(const DistortionCoefficients& k,
