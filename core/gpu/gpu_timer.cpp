@@ -54,12 +54,11 @@ void GpuTimer::begin(Stage stage) {
 
 void GpuTimer::end(Stage stage) {
   Span& s = span(stage);
-  if (usesQueries()) {
-    write_timestamp_(s.end.get(), GL_TIMESTAMP_EXT);
-    s.pending = true;
-  } else {
-    s.ms = s.wall.lapMs();
-  }
+  const double wall_ms = s.wall.lapMs();
+  if (!usesQueries() || s.ms == 0.0) s.ms = wall_ms;
+  if (!usesQueries()) return;
+  write_timestamp_(s.end.get(), GL_TIMESTAMP_EXT);
+  s.pending = true;
 }
 
 void GpuTimer::collect() {

@@ -16,8 +16,9 @@ void deleteQuery(GLuint name);
 /// With GL_EXT_disjoint_timer_query: GPU time between two GL_TIMESTAMP_EXT queries around the
 /// stage, read after the alignment's fence. A stage that was issued after the last fence (a
 /// reference made after the alignment) is reported from the next collect() on; until then its
-/// previous time stands. Without: wall clock of the calls. Work that the driver defers is then part
-/// of the align stage, which ends with the fence.
+/// previous time stands, or the wall clock of the call when there is none yet. Without: wall clock
+/// of the calls. Work that the driver defers is then part of the align stage, which ends with the
+/// fence.
 class GpuTimer {
  public:
   enum class Stage { pyramid, precompute, align };

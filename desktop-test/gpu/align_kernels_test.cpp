@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace glide::test {
@@ -100,6 +102,42 @@ void expectSameRecord(const GpuPointRecord& gpu, const TwinPoint& twin) {
   }
 }
 
+/// What the precompute kernel has written, read back.
+struct CacheContents {
+  std::vector<GpuPointRecord> records;
+  std::vector<float> pixels;
+};
+
+void expectSamePixels(const CacheContents& cache,
+                      const GpuAlignSpec& spec,
+                      const TwinPoint& twin,
+                      int level,
+                      std::size_t point) {
+  const int n = spec.direct.patch_size * spec.direct.patch_size;
+  for (int k = 0; k < n * kPixelFloats; ++k) {
+    const int row = (level * n * kPixelFloats + k) * spec.direct.max_points;
+    const Vec3d& pixel = twin.pixels[static_cast<std::size_t>(k / kPixelFloats)];
+    ASSERT_NEAR(cache.pixels[static_cast<std::size_t>(row) + point], pixel[k % kPixelFloats], 0.02);
+  }
+}
+
+/// Returns how many points are valid.
+int expectSameLevel(const CacheContents& cache,
+                    const GpuAlignSpec& spec,
+                    const std::vector<TwinPoint>& twins,
+                    int level) {
+  int valid = 0;
+  for (std::size_t i = 0; i < twins.size(); ++i) {
+    SCOPED_TRACE(i);
+    const int first = level * spec.direct.max_points;
+    expectSameRecord(cache.records[static_cast<std::size_t>(first) + i], twins[i]);
+    if (!twins[i].valid) continue;
+    expectSamePixels(cache, spec, twins[i], level, i);
+    ++valid;
+  }
+  return valid;
+}
+
 TEST_P(AlignKernelsTest, PrecomputeMatchesTwinOnEveryLevel) {
   const AlignScene scene = this->scene(DistortionModel::radial_tangential);
   const GpuAlignSpec spec = this->spec(scene.camera);
@@ -107,31 +145,26 @@ TEST_P(AlignKernelsTest, PrecomputeMatchesTwinOnEveryLevel) {
   KernelRig rig = makeRig(spec);
   rig.load(scene.reference);
   rig.reference.precompute(rig.pyramid, scene.points_ref);
-  const auto records = readBuffer<GpuPointRecord>(rig.reference.records());
-  const auto pixels = readBuffer<float>(rig.reference.pixels());
-  const int n = spec.direct.patch_size * spec.direct.patch_size;
+  const CacheContents cache{readBuffer<GpuPointRecord>(rig.reference.records()),
+                            readBuffer<float>(rig.reference.pixels())};
   int valid = 0;
   for (int level = 0; level < kLevels; ++level) {
-    const std::vector<TwinPoint> twins = describeAll(scene, spec, level);
-    for (std::size_t i = 0; i < twins.size(); ++i) {
-      SCOPED_TRACE(i);
-      expectSameRecord(records[static_cast<std::size_t>(level * spec.direct.max_points) + i],
-                       twins[i]);
-      if (!twins[i].valid) continue;
-      ++valid;
-      for (int k = 0; k < n; ++k) {
-        for (int c = 0; c < 3; ++c) {
-          const auto at =
-              static_cast<std::size_t>(((level * n + k) * 3 + c) * spec.direct.max_points) + i;
-          ASSERT_NEAR(pixels[at], twins[i].pixels[static_cast<std::size_t>(k)][c], 0.02);
-        }
-      }
-    }
+    valid += expectSameLevel(cache, spec, describeAll(scene, spec, level), level);
   }
   EXPECT_GT(valid, pointCount());
 }
 
-TEST_P(AlignKernelsTest, ResidualSumsMatchTwin) {
+void expectSameSums(const GpuPointSums& gpu, const TwinPoint& p, const TwinSums& twin) {
+  ASSERT_EQ(gpu.rest[1] > 0.5F, twin.visible);
+  const double n = static_cast<double>(p.pixels.size());
+  expectClose(gpu.intensity[0], twin.s1, std::sqrt(n * twin.s2));
+  expectClose(gpu.intensity[1], twin.s2, twin.s2);
+  expectClose(gpu.intensity[2], twin.sc, std::sqrt(twin.s2 * p.E));
+  expectClose(gpu.intensity[3], twin.sx, std::sqrt(twin.s2 * p.Gxx));
+  expectClose(gpu.rest[0], twin.sy, std::sqrt(twin.s2 * p.Gyy));
+}
+
+TEST_P(AlignKernelsTest, ResidualSumsMatchTwinOnEveryLevel) {
   const AlignScene scene = this->scene(DistortionModel::kannala_brandt4);
   const GpuAlignSpec spec = this->spec(scene.camera);
   const ScopedGlState state;
@@ -145,30 +178,83 @@ TEST_P(AlignKernelsTest, ResidualSumsMatchTwin) {
     rig.loop.residual(rig.pyramid, rig.reference, level);
     const auto sums = readBuffer<GpuPointSums>(rig.loop.sums());
     const std::vector<TwinPoint> points = describeAll(scene, spec, level);
+    const ImageF& image = frame.levels[static_cast<std::size_t>(level)];
     int visible = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       SCOPED_TRACE(i);
-      const TwinPoint& p = points[i];
-      const TwinSums twin = sumTwin(frame.levels[static_cast<std::size_t>(level)],
-                                    spec.camera.atLevel(level),
-                                    scene.T_cam_ref,
-                                    p);
-      ASSERT_EQ(sums[i].rest[1] > 0.5F, twin.visible);
+      const TwinSums twin = sumTwin(image, spec.camera.atLevel(level), scene.T_cam_ref, points[i]);
+      expectSameSums(sums[i], points[i], twin);
       visible += twin.visible ? 1 : 0;
-      const double n = static_cast<double>(p.pixels.size());
-      expectClose(sums[i].intensity[0], twin.s1, std::sqrt(n * twin.s2));
-      expectClose(sums[i].intensity[1], twin.s2, twin.s2);
-      expectClose(sums[i].intensity[2], twin.sc, std::sqrt(twin.s2 * p.E));
-      expectClose(sums[i].intensity[3], twin.sx, std::sqrt(twin.s2 * p.Gxx));
-      expectClose(sums[i].rest[0], twin.sy, std::sqrt(twin.s2 * p.Gyy));
     }
     EXPECT_GT(visible, pointCount() / 4) << "level " << level;
   }
 }
 
+template <class T>
+void overwrite(const GlBuffer& buffer, const std::vector<T>& values) {
+  buffer.write(values.data(), static_cast<std::int64_t>(values.size() * sizeof(T)));
+}
+
+void expectSameSolution(const AlignResult& gpu, const TwinState& twin) {
+  ASSERT_TRUE(gpu.valid);
+  EXPECT_EQ(gpu.visible, twin.visible);
+  EXPECT_NEAR(gpu.inliers, twin.inliers, 1);  // one error may lie on the threshold
+  EXPECT_NEAR(gpu.gain, twin.gain, 1e-4);
+  EXPECT_NEAR(gpu.bias, twin.bias, 1e-2);
+  EXPECT_NEAR(gpu.rms, twin.rms, 1e-2);
+  EXPECT_NEAR(gpu.contrast, twin.contrast, 1e-2);
+  EXPECT_LT((gpu.H - twin.H).norm(), 1e-3 * twin.H.norm());
+  const Vec6d error = (twin.T_cam_ref.inverse() * gpu.T_cam_ref).log();
+  EXPECT_LT(error.norm(), 1e-3 * twin.delta.norm() + 2e-6);
+}
+
+/// One iteration: the twin's sums go in, so that only the solve kernel is compared.
+void solveBoth(const KernelRig& rig,
+               const Config::Direct& direct,
+               const std::vector<TwinPoint>& points,
+               const std::vector<TwinSums>& sums,
+               TwinState* twin) {
+  std::vector<GpuPointSums> packed;
+  std::transform(sums.begin(), sums.end(), std::back_inserter(packed), packSums);
+  overwrite(rig.loop.sums(), packed);
+  rig.loop.solve(rig.reference, 0);
+  const AlignResult gpu = toResult(readBuffer<GpuAlignState>(rig.loop.state()).front());
+  ASSERT_TRUE(solveTwin(points, sums, direct, twin));
+  expectSameSolution(gpu, *twin);
+  const auto weights = readBuffer<GpuPointWeight>(rig.loop.weights());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(weights[i].weight, twin->weights[i], 1e-3);
+  }
+  twin->T_cam_ref = gpu.T_cam_ref;  // both go on from the same pose
+}
+
+/// Three iterations on level 0, from records and sums of the twin.
+void expectSameIterations(const AlignScene& scene, const GpuAlignSpec& spec) {
+  const ScopedGlState state;
+  KernelRig rig = makeRig(spec);
+  rig.load(scene.reference);
+  rig.reference.precompute(rig.pyramid, scene.points_ref);  // for the number of points
+  const std::vector<TwinPoint> points = describeAll(scene, spec, 0);
+  std::vector<GpuPointRecord> records;
+  std::transform(points.begin(), points.end(), std::back_inserter(records), packRecord);
+  overwrite(rig.reference.records(), records);
+
+  const Pyramid frame = scene.framePyramid(1);
+  TwinState twin;
+  twin.weights.assign(points.size(), 1.0);
+  rig.loop.start(twin.T_cam_ref);
+  for (int iteration = 1; iteration <= 3; ++iteration) {
+    SCOPED_TRACE(iteration);
+    std::vector<TwinSums> sums;
+    std::transform(points.begin(), points.end(), std::back_inserter(sums), [&](const auto& p) {
+      return sumTwin(frame.levels[0], scene.camera, twin.T_cam_ref, p);
+    });
+    solveBoth(rig, spec.direct, points, sums, &twin);
+  }
+}
+
 TEST_P(AlignKernelsTest, SolveMatchesTwinOverThreeIterations) {
   const AlignScene scene = this->scene(DistortionModel::none);
-  const Pyramid frame = scene.framePyramid(kLevels);
   for (const auto& [photometric, hessian] :
        {std::pair{PhotometricModel::gain_bias, HessianMode::robust},
         std::pair{PhotometricModel::gain_bias, HessianMode::constant},
@@ -177,50 +263,7 @@ TEST_P(AlignKernelsTest, SolveMatchesTwinOverThreeIterations) {
     spec.direct.photometric = photometric;
     spec.direct.hessian = hessian;
     spec.direct.convergence = 1e-12;  // never ends the level
-    const ScopedGlState gl_state;
-    KernelRig rig = makeRig(spec);
-    rig.load(scene.reference);
-    rig.reference.precompute(rig.pyramid, scene.points_ref);
-    const std::vector<TwinPoint> points = describeAll(scene, spec, 0);
-    std::vector<GpuPointRecord> records;
-    for (const TwinPoint& point : points) records.push_back(packRecord(point));
-    rig.reference.records().write(
-        records.data(), static_cast<std::int64_t>(records.size() * sizeof(GpuPointRecord)));
-
-    TwinState twin;
-    twin.weights.assign(points.size(), 1.0);
-    rig.loop.start(twin.T_cam_ref);
-    for (int iteration = 1; iteration <= 3; ++iteration) {
-      SCOPED_TRACE(iteration);
-      std::vector<TwinSums> sums;
-      std::vector<GpuPointSums> packed;
-      for (const TwinPoint& point : points) {
-        sums.push_back(sumTwin(frame.levels[0], scene.camera, twin.T_cam_ref, point));
-        packed.push_back(packSums(sums.back()));
-      }
-      rig.loop.sums().write(packed.data(),
-                            static_cast<std::int64_t>(packed.size() * sizeof(GpuPointSums)));
-      rig.loop.solve(rig.reference, 0);
-      const AlignResult gpu = toResult(readBuffer<GpuAlignState>(rig.loop.state()).front());
-      ASSERT_TRUE(solveTwin(points, sums, spec.direct, &twin));
-      ASSERT_TRUE(gpu.valid);
-      EXPECT_EQ(gpu.iterations[0], iteration);
-      EXPECT_EQ(gpu.visible, twin.visible);
-      EXPECT_NEAR(gpu.inliers, twin.inliers, 1);  // one error may lie on the threshold
-      EXPECT_NEAR(gpu.gain, twin.gain, 1e-4);
-      EXPECT_NEAR(gpu.bias, twin.bias, 1e-2);
-      EXPECT_NEAR(gpu.rms, twin.rms, 1e-2);
-      EXPECT_NEAR(gpu.contrast, twin.contrast, 1e-2);
-      EXPECT_LT((gpu.H - twin.H).norm(), 1e-3 * twin.H.norm());
-      const Vec6d error = (twin.T_cam_ref.inverse() * gpu.T_cam_ref).log();
-      EXPECT_LT(error.norm(), 1e-3 * twin.delta.norm() + 2e-6);
-      const auto weights = readBuffer<GpuPointWeight>(rig.loop.weights());
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        EXPECT_NEAR(weights[i].weight, twin.weights[i], 1e-3);
-      }
-      // Both go on from the same pose.
-      twin.T_cam_ref = gpu.T_cam_ref;
-    }
+    expectSameIterations(scene, spec);
   }
 }
 

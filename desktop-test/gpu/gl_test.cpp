@@ -18,6 +18,7 @@ struct SharedGl {
   std::vector<std::string> messages;
 };
 
+// NOLINTNEXTLINE(readability-function-size): the signature is KHR_debug's
 void GL_APIENTRY
 onMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* user) {
   if (type != GL_DEBUG_TYPE_ERROR_KHR) return;
@@ -77,15 +78,15 @@ ImageF readTexture(const GlTexture& texture) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), 0);
   EXPECT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
-  const int width = texture.width();
-  std::vector<float> rgba(static_cast<std::size_t>(width * texture.height() * 4));
-  glReadPixels(0, 0, width, texture.height(), GL_RGBA, GL_FLOAT, rgba.data());
+  const auto width = static_cast<std::size_t>(texture.width());
+  std::vector<float> rgba(width * static_cast<std::size_t>(texture.height()) * 4);
+  glReadPixels(0, 0, texture.width(), texture.height(), GL_RGBA, GL_FLOAT, rgba.data());
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glDeleteFramebuffers(1, &framebuffer);
-  ImageF image(width, texture.height());
+  ImageF image(texture.width(), texture.height());
   for (int y = 0; y < texture.height(); ++y) {
-    for (int x = 0; x < width; ++x)
-      image.at(x, y) = rgba[static_cast<std::size_t>((y * width + x) * 4)];
+    const float* row = rgba.data() + static_cast<std::size_t>(y) * width * 4;
+    for (int x = 0; x < texture.width(); ++x) image.at(x, y) = row[4 * x];
   }
   return image;
 }

@@ -67,6 +67,10 @@ void expectSameResult(const AlignResult& gpu, const AlignResult& cpu) {
   EXPECT_GT(gpu.iterations[0], 0);
 }
 
+/// Scene units and radians; an image of 376 px has a pixel of 4e-3, softpipe's of 160 px one of
+/// 1e-2.
+double truthTolerance(bool slow) { return slow ? 5e-3 : 2e-3; }
+
 /// (group size, patch size)
 class GpuAlignerVariantTest : public GpuAlignerTest,
                               public ::testing::WithParamInterface<std::tuple<int, int>> {};
@@ -79,7 +83,7 @@ TEST_P(GpuAlignerVariantTest, GivesTheCpusPose) {
   const AlignResult gpu =
       alignScene(makeGpu(direct, scene.camera, group_size).get(), scene, SE3d{});
   expectSameResult(gpu, alignOnCpu(direct, scene));
-  EXPECT_LT(poseDistance(gpu.T_cam_ref, scene.T_cam_ref), 2e-3);
+  EXPECT_LT(poseDistance(gpu.T_cam_ref, scene.T_cam_ref), truthTolerance(isSlow()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants,
@@ -98,7 +102,7 @@ TEST_F(GpuAlignerTest, FollowsAChangeOfExposure) {
     const AlignResult gpu = alignScene(makeGpu(direct, scene.camera, 64).get(), scene, SE3d{});
     expectSameResult(gpu, alignOnCpu(direct, scene));
     EXPECT_NEAR(gpu.gain, exposure.gain, 0.03);
-    EXPECT_LT(poseDistance(gpu.T_cam_ref, scene.T_cam_ref), 2e-3);
+    EXPECT_LT(poseDistance(gpu.T_cam_ref, scene.T_cam_ref), truthTolerance(isSlow()));
   }
 }
 

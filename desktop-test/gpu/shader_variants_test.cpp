@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <unistd.h>
 
@@ -17,17 +18,18 @@ namespace fs = std::filesystem;
 
 /// All combinations of the defines that are injected; a shader ignores those it does not know.
 std::vector<ShaderDefines> variants() {
+  constexpr int kPatchSizes[] = {7, 11};
+  constexpr int kCameraModels = 3;
+  constexpr int kCount =
+      static_cast<int>(std::size(kGroupSizes) * std::size(kPatchSizes)) * kCameraModels;
   std::vector<ShaderDefines> all;
-  for (const int group_size : kGroupSizes) {
-    for (const int patch_size : {7, 11}) {
-      for (const int camera_model : {0, 1, 2}) {
-        all.push_back({{"GROUP_SIZE", group_size},
-                       {"GROUP_ROWS", group_size / 32},
-                       {"PATCH_SIZE", patch_size},
-                       {"CAMERA_MODEL", camera_model},
-                       {"STRIP_ROWS", 4}});
-      }
-    }
+  for (int i = 0; i < kCount; ++i) {
+    const int group_size = kGroupSizes[i / (kCameraModels * 2)];
+    all.push_back({{"GROUP_SIZE", group_size},
+                   {"GROUP_ROWS", group_size / 32},
+                   {"PATCH_SIZE", kPatchSizes[i / kCameraModels % 2]},
+                   {"CAMERA_MODEL", i % kCameraModels},
+                   {"STRIP_ROWS", 4}});
   }
   return all;
 }

@@ -50,26 +50,33 @@ std::vector<Candidate> candidates() {
   return found;
 }
 
+/// An OpenGL ES 3.1 context, or none. Softpipe has no debug contexts: it gives a plain one.
+EGLContext createContext(EGLDisplay display, EGLConfig config, EglDebug debug) {
+  std::vector<EGLint> wanted{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1};
+  std::vector<EGLint> wanted_debug = wanted;
+  wanted.push_back(EGL_NONE);
+  wanted_debug.insert(wanted_debug.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE});
+  EGLContext context = EGL_NO_CONTEXT;
+  if (debug == EglDebug::on) {
+    context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted_debug.data());
+  }
+  if (context == EGL_NO_CONTEXT) {
+    context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
+  }
+  return context;
+}
+
 /// Makes a context on `display` current and returns it; on failure says why in `problem`.
 EGLContext makeCurrent(EGLDisplay display, EglDebug debug, std::string* problem) {
-  const EGLint config_wanted[] = {
-      EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (eglBindAPI(EGL_OPENGL_ES_API) == EGL_FALSE ||
-      eglChooseConfig(display, config_wanted, &config, 1, &count) == EGL_FALSE || count == 0) {
+      eglChooseConfig(display, wanted, &config, 1, &count) == EGL_FALSE || count == 0) {
     *problem = "no OpenGL ES 3 configuration";
     return EGL_NO_CONTEXT;
   }
-  const EGLint debug_flag = debug == EglDebug::on ? EGL_TRUE : EGL_FALSE;
-  const EGLint context_wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                   3,
-                                   EGL_CONTEXT_MINOR_VERSION,
-                                   1,
-                                   EGL_CONTEXT_OPENGL_DEBUG,
-                                   debug_flag,
-                                   EGL_NONE};
-  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_wanted);
+  const EGLContext context = createContext(display, config, debug);
   if (context == EGL_NO_CONTEXT) {
     *problem = "no OpenGL ES 3.1 context, " + hexError();
     return EGL_NO_CONTEXT;

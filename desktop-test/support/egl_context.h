@@ -6,7 +6,8 @@
 
 namespace glide::test {
 
-/// What the driver is asked to report through KHR_debug.
+/// Whether to ask for a debug context, which reports more through KHR_debug. Not every driver has
+/// one.
 enum class EglDebug { off, on };
 
 /// An OpenGL ES 3.1 context without any window, current on the thread that made it until it is
