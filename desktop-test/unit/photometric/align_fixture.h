@@ -34,17 +34,19 @@ inline CameraModel makeCamera(DistortionModel distortion, int width, int height)
   return CameraModel::create(intrinsics).value();
 }
 
-inline Vec6d twist(double x, double y, double z, double roll_x, double roll_y, double roll_z) {
+inline Vec6d twist(const Vec3d& translation, const Vec3d& rotation) {
   Vec6d out;
-  out << x, y, z, roll_x, roll_y, roll_z;
+  out << translation, rotation;
   return out;
 }
 
 /// A hand's motion over one or two frames: about a centimetre and half a degree.
-inline SE3d smallMotion() { return SE3d::exp(twist(0.009, -0.006, 0.006, 0.003, -0.0045, 0.006)); }
+inline SE3d smallMotion() {
+  return SE3d::exp(twist({0.009, -0.006, 0.006}, {0.003, -0.0045, 0.006}));
+}
 
 /// An error of the prediction: four centimetres and one and a half degrees.
-inline SE3d perturbation() { return SE3d::exp(twist(0.02, -0.03, 0.02, 0.015, 0.015, -0.015)); }
+inline SE3d perturbation() { return SE3d::exp(twist({0.02, -0.03, 0.02}, {0.015, 0.015, -0.015})); }
 
 struct PoseError {
   double mm = 0.0;

@@ -77,7 +77,7 @@ TEST(CpuAligner, ToleratesAnOccluder) {
 
 TEST(CpuAligner, TracksWhenPointsLeaveTheImage) {
   AlignScenario scenario = pinholeScenario();
-  scenario.T_ref_cam = SE3d::exp(twist(0.01, 0.0, 0.0, 0.0, 0.25, 0.0));
+  scenario.T_ref_cam = SE3d::exp(twist({0.01, 0.0, 0.0}, {0.0, 0.25, 0.0}));
   const AlignResult result = scenario.align(scenario.perturbedGuess());
   const PoseError error = poseError(result.T_cam_ref, scenario.truth());
   EXPECT_TRUE(result.valid);
@@ -111,7 +111,7 @@ TEST(CpuAligner, RefusesTooFewPoints) {
 
 TEST(CpuAligner, RefusesAPoseThatSeesTooFewPoints) {
   const AlignScenario scenario = smallScenario();
-  const SE3d turned_away = SE3d::exp(twist(0.0, 0.0, 0.0, 0.0, 3.1, 0.0));
+  const SE3d turned_away = SE3d::exp(twist({0.0, 0.0, 0.0}, {0.0, 3.1, 0.0}));
   const AlignResult result = scenario.align(turned_away);
   EXPECT_FALSE(result.valid);
   EXPECT_EQ(result.iterations[0], 0);

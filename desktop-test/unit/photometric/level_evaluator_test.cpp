@@ -24,7 +24,7 @@ struct Level {
   ImageF frame = test::smoothImage(160, 120, 0.7);
   std::vector<AlignPoint> points;
   ReferenceCache reference;
-  SE3d T_cam_ref = SE3d::exp(twist(0.02, -0.03, 0.01, 0.01, 0.02, -0.02));
+  SE3d T_cam_ref = SE3d::exp(twist({0.02, -0.03, 0.01}, {0.01, 0.02, -0.02}));
 
   explicit Level(int patch_size) {
     config.patch_size = patch_size;
@@ -230,7 +230,7 @@ TEST(LevelEvaluator, HasTheNegativeGradientOfTheCostAsItsRightHandSide) {
 TEST(LevelEvaluator, StepsDownhillWithTheSignOfTheUpdate) {
   Level level(7);
   level.frame = level.reference_image.levels[0];  // the truth is the identity
-  level.T_cam_ref = SE3d::exp(twist(0.01, -0.005, 0.01, 0.004, 0.006, -0.004));
+  level.T_cam_ref = SE3d::exp(twist({0.01, -0.005, 0.01}, {0.004, 0.006, -0.004}));
   LevelEvaluator evaluator(level.config);
   AlignState state = level.freshState();
   const std::optional<Evaluation> before = evaluator.evaluate(level.pair(), &state);
@@ -244,7 +244,7 @@ TEST(LevelEvaluator, StepsDownhillWithTheSignOfTheUpdate) {
 
 TEST(LevelEvaluator, KeepsTheWeightOfAPointThatIsNotVisible) {
   Level level(7);
-  level.T_cam_ref = SE3d::exp(twist(0.0, 0.0, 0.0, 0.0, 0.4, 0.0));
+  level.T_cam_ref = SE3d::exp(twist({0.0, 0.0, 0.0}, {0.0, 0.4, 0.0}));
   LevelEvaluator evaluator(level.config);
   AlignState state = level.freshState();
   state.weights.assign(state.weights.size(), 0.125);

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# shell_test.sh ROOT: ./glide and the scripts are well-formed, name their commands, and fail honestly.
+set -euo pipefail
+cd "$1"
+fail() { echo "$*"; exit 1; }
+
+for script in glide .ci/run scripts/*.sh desktop-test/house/*.sh; do bash -n "$script"; done
+if command -v shellcheck >/dev/null; then shellcheck -x glide .ci/run scripts/*.sh desktop-test/house/*.sh; fi
+
+for command in setup build test demo bench format tidy; do
+  ./glide "$command" --help | grep -q "Usage: ./glide $command" || fail "./glide $command --help says nothing"
+  ./glide --help | grep -q "^  $command " || fail "./glide --help does not name $command"
+done
+status=0
+./glide nonsense 2>/dev/null || status=$?
+[ "$status" -eq 1 ] || fail "./glide nonsense ends with $status instead of 1"
+status=0
+./glide >/dev/null 2>&1 || status=$?
+[ "$status" -eq 1 ] || fail "./glide without a command ends with $status instead of 1"

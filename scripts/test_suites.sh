@@ -1,0 +1,60 @@
+# What ./glide test runs. Sourced by it; expects scripts/steps.sh.
+# shellcheck shell=bash
+: "${root:?}"
+
+# Unit tests of what handles memory by hand or reads foreign files.
+asan_targets=(geometry_test image_test photometric_test feature_test map_test optimize_test readers_test calibration_test)
+# What runs on, or hands data to, more than one thread.
+tsan_targets=(base_test session_test)
+
+# ctest_in PRESET ARGUMENTS...
+ctest_in() {
+  local preset="$1"
+  shift
+  ctest --test-dir "$root/build/$preset" -j "$(jobs)" --output-on-failure "$@"
+}
+
+# sanitized PRESET TARGET...: builds these test programs under a sanitizer and runs them.
+sanitized() {
+  local preset="$1" expression
+  shift
+  build "$preset" "$@" || return
+  expression="^($(
+    IFS='|'
+    echo "$*"
+  ))$"
+  ctest_in "$preset" -R "$expression"
+}
+
+# suite NAME COMMAND...: runs it, says how it went, and remembers the failure.
+failed_suites=()
+suite() {
+  local name="$1" begin=$SECONDS
+  shift
+  say "== $name"
+  if "$@"; then
+    say "== $name: passed ($((SECONDS - begin)) s)"
+  else
+    failed_suites+=("$name")
+    say "== $name: FAILED ($((SECONDS - begin)) s)"
+  fi
+}
+
+release_suite() { build release && ctest_in release "$@"; }
+
+run_test_suites() {
+  local quick=no
+  if [ "${1:-}" = --quick ]; then
+    quick=yes
+    shift
+  fi
+  # Without a GL the GPU tests skip on a developer's machine; in CI that is a failure.
+  if [ -n "${CI:-}" ]; then export GLIDE_REQUIRE_GL=1; fi
+  if [ "$quick" = no ] && [ $# -eq 0 ]; then
+    suite "address and undefined behaviour sanitizers" sanitized asan "${asan_targets[@]}"
+    suite "thread sanitizer" sanitized tsan "${tsan_targets[@]}"
+    suite "library with clang" build clang glide
+  fi
+  suite "all tests" release_suite "$@"
+  [ "${#failed_suites[@]}" -eq 0 ] || die "failed: $(printf '%s; ' "${failed_suites[@]}")"
+}
