@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <map>
 #include <random>
 #include <string>
@@ -137,14 +138,14 @@ class AppState {
       bindIndexed(GL_UNIFORM_BUFFER, unit);
     }
     glActiveTexture(GL_TEXTURE0 + pick(8));
-    for (const GLenum target : {GL_SHADER_STORAGE_BUFFER,
-                                GL_UNIFORM_BUFFER,
-                                GL_PIXEL_UNPACK_BUFFER,
-                                GL_ARRAY_BUFFER,
-                                GL_COPY_READ_BUFFER,
-                                GL_COPY_WRITE_BUFFER,
-                                GL_DISPATCH_INDIRECT_BUFFER}) {
-      glBindBuffer(static_cast<GLenum>(target), anyBuffer());
+    for (const GLenum target : std::initializer_list<GLenum>{GL_SHADER_STORAGE_BUFFER,
+                                                             GL_UNIFORM_BUFFER,
+                                                             GL_PIXEL_UNPACK_BUFFER,
+                                                             GL_ARRAY_BUFFER,
+                                                             GL_COPY_READ_BUFFER,
+                                                             GL_COPY_WRITE_BUFFER,
+                                                             GL_DISPATCH_INDIRECT_BUFFER}) {
+      glBindBuffer(target, anyBuffer());
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1 << pick(4));
     glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(pick(3000)));
@@ -170,19 +171,19 @@ class AppState {
       glBindBufferBase(GL_UNIFORM_BUFFER, unit, 0);
     }
     glActiveTexture(GL_TEXTURE0);
-    for (const GLenum target : {GL_PIXEL_UNPACK_BUFFER,
-                                GL_ARRAY_BUFFER,
-                                GL_COPY_READ_BUFFER,
-                                GL_COPY_WRITE_BUFFER,
-                                GL_DISPATCH_INDIRECT_BUFFER}) {
-      glBindBuffer(static_cast<GLenum>(target), 0);
+    for (const GLenum target : std::initializer_list<GLenum>{GL_PIXEL_UNPACK_BUFFER,
+                                                             GL_ARRAY_BUFFER,
+                                                             GL_COPY_READ_BUFFER,
+                                                             GL_COPY_WRITE_BUFFER,
+                                                             GL_DISPATCH_INDIRECT_BUFFER}) {
+      glBindBuffer(target, 0);
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    for (const GLenum name : {GL_UNPACK_ROW_LENGTH,
-                              GL_UNPACK_SKIP_ROWS,
-                              GL_UNPACK_SKIP_PIXELS,
-                              GL_UNPACK_SKIP_IMAGES}) {
-      glPixelStorei(static_cast<GLenum>(name), 0);
+    for (const GLenum name : std::initializer_list<GLenum>{GL_UNPACK_ROW_LENGTH,
+                                                           GL_UNPACK_SKIP_ROWS,
+                                                           GL_UNPACK_SKIP_PIXELS,
+                                                           GL_UNPACK_SKIP_IMAGES}) {
+      glPixelStorei(name, 0);
     }
     glUseProgram(0);
   }
