@@ -15,11 +15,11 @@ function(glide_module name)
   endif()
 endfunction()
 
-# glide_tests(NAME LINKS ...): the test program NAME_test of all *_test.cpp in this folder's NAME, one
+# glide_tests(NAME LINKS ...): the test program NAME_test of all sources in this folder's NAME, one
 # ctest entry per test program.
 function(glide_tests name)
   cmake_parse_arguments(ARG "" "" "LINKS;LABELS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*_test.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   if(NOT sources)
     return()
   endif()

@@ -1,5 +1,11 @@
 #include "track/initializer.h"
 
+#include "feature/patch_alignment.h"
+
+#include "base/median.h"
+
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace glide {
@@ -11,10 +17,26 @@ constexpr float kWindow_px = 100.0F;
 constexpr int kMaxLevel = 1;
 constexpr MatchOptions kMatch{50, 0.9, true};
 
+/// Turn of the image from the first set to the other: the median over the matches.
+Eigen::Matrix2f rotationBetween(const FeatureSet& first,
+                                const FeatureSet& now,
+                                const std::vector<Match>& matches) {
+  std::vector<double> turns;
+  for (const Match& match : matches) {
+    const float turn = now.feature(static_cast<std::size_t>(match.b)).angle -
+                       first.feature(static_cast<std::size_t>(match.a)).angle;
+    turns.push_back(std::remainder(static_cast<double>(turn), 2.0 * std::numbers::pi));
+  }
+  const double turn = median(std::move(turns), 0.0);
+  return Eigen::Rotation2Df(static_cast<float>(turn)).toRotationMatrix();
+}
+
 }  // namespace
 
 Initializer::Initializer(const Config& config, const CameraModel& camera)
-    : config_(config), camera_(camera) {}
+    : config_(config),
+      camera_(camera),
+      levels_(config.features.scale_factor, config.features.levels) {}
 
 void Initializer::reset() {
   first_ = InitialMap::View();
@@ -39,6 +61,25 @@ std::vector<Match> Initializer::matchToFirst(const FeatureSet& features) {
   return matches;
 }
 
+std::vector<FeatureMove> Initializer::alignMatches(const FeatureSet& features,
+                                                   const std::vector<Match>& matches) const {
+  const Eigen::Matrix2f R_now_first = rotationBetween(*first_.features, features, matches);
+  std::vector<FeatureMove> moves;
+  for (const Match& match : matches) {
+    const auto i = static_cast<std::size_t>(match.a);
+    const auto j = static_cast<std::size_t>(match.b);
+    const double scale_first = levels_.scale(first_.features->feature(i).level);
+    const double scale_now = levels_.scale(features.feature(j).level);
+    const Eigen::Matrix2f A_now_first = R_now_first * static_cast<float>(scale_first / scale_now);
+    const std::optional<Vec2f> offset =
+        alignPatch(first_.features->patch(i), features.patch(j), A_now_first);
+    if (!offset) continue;
+    const Vec2f moved = (*offset - features.patch(j).offset) * static_cast<float>(scale_now);
+    moves.push_back({match.b, features.feature(j).uv + moved, *offset});
+  }
+  return moves;
+}
+
 std::optional<InitialMap> Initializer::update(std::int64_t t_ns,
                                               std::shared_ptr<const FeatureSet> features) {
   progress_ = InitializationProgress();
@@ -59,6 +100,8 @@ std::optional<InitialMap> Initializer::update(std::int64_t t_ns,
     progress_.status = InitializationStatus::too_few_matches;
     return std::nullopt;
   }
+  features =
+      std::make_shared<const FeatureSet>(features->withMoved(alignMatches(*features, matches)));
   std::vector<PixelPair> pairs;
   for (const Match& match : matches)
     pairs.push_back({first_.features->feature(static_cast<std::size_t>(match.a)).uv.cast<double>(),

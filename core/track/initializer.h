@@ -1,6 +1,7 @@
 #pragma once
 
 #include "feature/matcher.h"
+#include "map/landmark.h"
 #include "map/messages.h"
 
 #include "geometry/camera_model.h"
@@ -31,6 +32,8 @@ class Initializer {
  private:
   void start(std::int64_t t_ns, std::shared_ptr<const FeatureSet> features);
   std::vector<Match> matchToFirst(const FeatureSet& features);
+  std::vector<FeatureMove> alignMatches(const FeatureSet& features,
+                                        const std::vector<Match>& matches) const;
   void report(const TwoViewResult& result);
   InitialMap makeMap(const TwoViewResult& result,
                      const std::vector<Match>& matches,
@@ -38,6 +41,7 @@ class Initializer {
 
   Config config_;
   CameraModel camera_;
+  ScaleLevels levels_;
   InitialMap::View first_;
   std::vector<Vec2f> predicted_uv_;  ///< where each feature of the first view was seen last
   int age_frames_ = 0;

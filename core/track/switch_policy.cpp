@@ -10,7 +10,14 @@ constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 bool errorTooHigh(const Config::Direct& config, const AlignResult& align) {
   if (align.rms > config.max_rms) return true;
-  return align.rms > config.max_rms_contrast * align.contrast * align.gain;
+  return align.rms > config.max_rms_contrast * align.contrast;
+}
+
+/// The gain ran into its limits: the frame holds something else than the reference.
+bool isImplausibleGain(const AlignResult& align) {
+  constexpr double kMin = 0.22;  // just inside of the aligner's clamp of 0.2 to 5
+  constexpr double kMax = 4.5;
+  return align.gain < kMin || align.gain > kMax;
 }
 
 bool tooFewVisible(const Config::Direct& config, const AlignResult& align) {
@@ -24,7 +31,8 @@ SwitchReason decideSwitch(const Config::Direct& config, const DirectEvidence& ev
   if (evidence.direct_frames >= config.max_direct_frames) return SwitchReason::max_direct_frames;
   if (!align.valid) return SwitchReason::solve_failed;
   if (tooFewVisible(config, align)) return SwitchReason::too_few_visible;
-  if (errorTooHigh(config, align)) return SwitchReason::photometric_error;
+  if (errorTooHigh(config, align) || isImplausibleGain(align))
+    return SwitchReason::photometric_error;
   if (align.inliers < config.min_inlier_ratio * align.visible)
     return SwitchReason::photometric_error;
   const double baseline = align.T_cam_ref.t.norm() / std::max(evidence.median_depth, 1e-9);

@@ -76,8 +76,8 @@ struct Config {
   struct Initialization {
     int min_matches = 100;          ///< between the two views, 20..10000
     int min_landmarks = 50;         ///< triangulated with parallax, 10..10000
-    double min_parallax_deg = 1.0;  ///< degrees, 0.1..30
-    double sigma_px = 1.0;          ///< px, image noise, 0.1..10
+    double min_parallax_deg = 1.5;  ///< degrees, 0.1..30
+    double sigma_px = 0.6;          ///< px, noise of aligned corners, 0.1..10
     double median_depth = 1.0;   ///< scene units given to the first map's median depth, 1e-3..1e3
     int max_reference_age = 60;  ///< frames before the first view is replaced, 2..10000
   } initialization;

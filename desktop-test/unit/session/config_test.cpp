@@ -63,20 +63,25 @@ std::map<std::string, Range> numberFields() {
   return fields;
 }
 
-/// The number fields of config.h with the ranges that its comments state.
+/// The number fields of config.h with the ranges that their comments state, on the same line or
+/// the next.
 std::map<std::string, Range> fieldsOfHeader(std::istream& header) {
   const std::regex open(R"(\s*struct (\w+) \{)");
   const std::regex close(R"(\s*\} (\w+);)");
-  const std::regex field(R"(\s*(?:int|double) (\w+) = .*?([-+.\de]+)\.\.([-+.\de]+)\s*)");
+  const std::regex field(R"(\s*(?:int|double) (\w+) = .*)");
+  const std::regex range(R"(.*?([-+.\de]+)\.\.([-+.\de]+)\s*)");
   std::map<std::string, Range> pending, fields;
+  std::string name;
   std::smatch match;
   for (std::string line; std::getline(header, line);) {
     if (std::regex_match(line, match, open)) pending.clear();
-    if (std::regex_match(line, match, field)) {
-      pending[match[1]] = {std::stod(match[2]), std::stod(match[3])};
+    if (std::regex_match(line, match, field)) name = match[1];
+    if (!name.empty() && std::regex_match(line, match, range)) {
+      pending[name] = {std::stod(match[1]), std::stod(match[2])};
+      name.clear();
     }
     if (!std::regex_match(line, match, close)) continue;
-    for (const auto& [name, range] : pending) fields[match[1].str() + "." + name] = range;
+    for (const auto& [leaf, bounds] : pending) fields[match[1].str() + "." + leaf] = bounds;
   }
   return fields;
 }

@@ -1,4 +1,6 @@
-#include "sequence_fixture.h"
+#include "unit/session/sequence_fixture.h"
+
+#include <cmath>
 
 namespace glide::test {
 namespace {
@@ -27,7 +29,7 @@ SequenceFixture::SequenceFixture()
 
 SE3d SequenceFixture::poseAt(double x) {
   SE3d T_world_cam;
-  T_world_cam.t = Vec3d(x, 0.05 * x, 0.02 * x);
+  T_world_cam.t = Vec3d(x, 0.04 * std::sin(8.0 * x), 0.03 * std::sin(5.0 * x));
   T_world_cam.q = so3Exp(Vec3d(0.0, -0.1 * x, 0.05 * x));
   return T_world_cam;
 }

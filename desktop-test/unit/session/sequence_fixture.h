@@ -15,7 +15,7 @@ class SequenceFixture {
  public:
   SequenceFixture();
 
-  /// Camera that has moved `x` metres to the right and turned a little.
+  /// Camera that has moved `x` metres to the right along a wavy line and turned a little.
   static SE3d poseAt(double x);
   /// The image at poseAt(x).
   ImageU8 imageAt(double x) const;

@@ -51,6 +51,14 @@ TEST(SwitchPolicy, MeasuresThePatchErrorAgainstTheReferencesContrast) {
   EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::photometric_error);
 }
 
+TEST(SwitchPolicy, RefusesAFrameOfSomethingElseWhoseGainRanIntoItsLimits) {
+  DirectEvidence evidence = goodEvidence();
+  evidence.align.gain = 0.2;
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::photometric_error);
+  evidence.align.gain = 0.5;  // half the exposure is nothing unusual
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::none);
+}
+
 TEST(SwitchPolicy, RefusesWhenMostVisiblePatchesDisagree) {
   DirectEvidence evidence = goodEvidence();
   evidence.align.inliers = 60;
