@@ -68,7 +68,7 @@ std::map<std::string, Range> numberFields() {
 std::map<std::string, Range> fieldsOfHeader(std::istream& header) {
   const std::regex open(R"(\s*struct (\w+) \{)");
   const std::regex close(R"(\s*\} (\w+);)");
-  const std::regex field(R"(\s*(?:int|double) (\w+) = .*)");
+  const std::regex field(R"(\s*(?:int|double) (\w+) =.*)");
   const std::regex range(R"(.*?([-+.\de]+)\.\.([-+.\de]+)\s*)");
   std::map<std::string, Range> pending, fields;
   std::string name;
