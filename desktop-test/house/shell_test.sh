@@ -8,8 +8,14 @@ for script in glide .ci/run scripts/*.sh desktop-test/house/*.sh; do bash -n "$s
 if command -v shellcheck >/dev/null; then shellcheck -x glide .ci/run scripts/*.sh desktop-test/house/*.sh; fi
 
 for command in setup build test demo bench format tidy; do
-  ./glide "$command" --help | grep -q "Usage: ./glide $command" || fail "./glide $command --help says nothing"
-  ./glide --help | grep -q "^  $command " || fail "./glide --help does not name $command"
+  case "$(./glide "$command" --help)" in
+    *"Usage: ./glide $command"*) ;;
+    *) fail "./glide $command --help says nothing" ;;
+  esac
+  case "$(./glide --help)" in
+    *"  $command "*) ;;
+    *) fail "./glide --help does not name $command" ;;
+  esac
 done
 status=0
 ./glide nonsense 2>/dev/null || status=$?

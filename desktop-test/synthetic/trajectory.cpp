@@ -102,7 +102,7 @@ SE3d moved(const Motion& motion, const Viewpoint& viewpoint, double t) {
 }  // namespace
 
 SE3d poseAt(const Motion& motion, const Viewpoint& viewpoint, double t_s) {
-  if (t_s < motion.turn_first_s) {
+  if (motion.turn_first_s > 0.0 && t_s < motion.turn_first_s) {
     // A yaw that leaves and returns with zero velocity: 1 - cos.
     const double yaw = 0.2 * (1.0 - std::cos(kTwoPi * t_s / motion.turn_first_s));
     return moved(motion, viewpoint, 0.0) * moveAndTurn(Vec3d::Zero(), {yaw, 0.0, 0.0});
