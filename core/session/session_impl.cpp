@@ -59,7 +59,14 @@ FrameResult Session::Impl::update(const FrameInput& input) {
   const Luma& image = input.image;
   const Frame frame{
       input.t_ns, {image.pixels, image.width, image.height, image.stride}, mapping_.snapshot()};
-  FrameResult result = last_keyframe_ ? track(frame) : initialize(frame);
+  FrameResult result;
+  if (!last_keyframe_) {
+    result = initialize(frame);
+  } else if (isMapPending(frame)) {
+    result = waitForMap(frame);
+  } else {
+    result = track(frame);
+  }
   result.stats.update_ms = watch.lapMs() - result.stats.mapping_ms;
   return result;
 }
@@ -71,26 +78,42 @@ FrameResult Session::Impl::initialize(const Frame& frame) {
   tracked.stats.features_ms = watch.lapMs();
   std::optional<InitialMap> start = initializer_.update(frame.t_ns, tracked.features);
   tracked.stats.pose_ms = watch.lapMs();
-  if (start) {
-    start->a.id = KeyframeId{next_keyframe_id_++};
-    start->b.id = KeyframeId{next_keyframe_id_++};
-    tracked.tracker = TrackerKind::indirect;
-    tracked.ok = true;
-    tracked.pose = {start->b.id, SE3d{}, start->b.T_cam_world};
-    tracked.stats.visible = tracked.stats.inliers = static_cast<int>(start->points.size());
-    tracked.stats.keyframe = mapping_.offer(std::move(*start), &tracked.stats.mapping_ms);
-    last_keyframe_ = LastKeyframe{tracked.pose.keyframe, 0};
-    tracked.confidence = 1.0;
-    const std::shared_ptr<const MapSnapshot> map = mapping_.snapshot();
-    tracked.T_cam_world = tracked.pose.T_cam_world(*map);
-    motion_.reset();
-    motion_.update(frame.t_ns, tracked.pose, *map);
-    last_pose_ = tracked.pose;
-    lost_frames_ = 0;
-  }
+  if (start) startMap(frame, std::move(*start), &tracked);
   FrameResult result = toResult(frame, tracked);
   result.initialization = initializer_.progress();
-  if (start) initializer_.reset();
+  if (tracked.ok) initializer_.reset();
+  return result;
+}
+
+void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked) {
+  start.a.id = KeyframeId{next_keyframe_id_++};
+  start.b.id = KeyframeId{next_keyframe_id_++};
+  map_start_ = start.a.id;
+  tracked->pose = {start.b.id, SE3d{}, start.b.T_cam_world};
+  tracked->stats.visible = tracked->stats.inliers = static_cast<int>(start.points.size());
+  tracked->ok = mapping_.offer(std::move(start), &tracked->stats.mapping_ms);
+  if (!tracked->ok)
+    return;  // the mapper still works on the map that was given up: try the next frame
+  tracked->tracker = TrackerKind::indirect;
+  tracked->confidence = 1.0;
+  tracked->stats.keyframe = true;
+  const std::shared_ptr<const MapSnapshot> map = mapping_.snapshot();
+  tracked->T_cam_world = tracked->pose.T_cam_world(*map);
+  last_keyframe_ = LastKeyframe{tracked->pose.keyframe, 0};
+  last_pose_ = tracked->pose;
+  lost_frames_ = 0;
+  motion_.reset();
+  motion_.update(frame.t_ns, tracked->pose, *map);
+}
+
+bool Session::Impl::isMapPending(const Frame& frame) const {
+  return !frame.map->T_cam_world(map_start_).has_value();
+}
+
+FrameResult Session::Impl::waitForMap(const Frame& frame) const {
+  FrameResult result = toResult(frame, TrackedFrame());
+  result.state = TrackingState::initializing;
+  result.initialization.status = InitializationStatus::done;
   return result;
 }
 

@@ -40,6 +40,10 @@ class Session::Impl {
   };
 
   FrameResult initialize(const Frame& frame);
+  void startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked);
+  /// The mapper has not published the map that was started last.
+  bool isMapPending(const Frame& frame) const;
+  FrameResult waitForMap(const Frame& frame) const;
   FrameResult track(const Frame& frame);
   TrackedFrame trackDirect(const Frame& frame, const SE3d& T_cam_world_guess);
   TrackedFrame trackIndirect(const Frame& frame, const TrackedFrame& direct);
@@ -61,7 +65,8 @@ class Session::Impl {
   IndirectTracker indirect_;
   Initializer initializer_;
   MotionModel motion_;
-  std::optional<LastKeyframe> last_keyframe_;  ///< none before a map exists
+  std::optional<LastKeyframe> last_keyframe_;  ///< none before a map is started
+  KeyframeId map_start_;                       ///< first keyframe of that map
   AnchoredPose last_pose_;
   std::int64_t last_t_ns_;
   std::uint64_t next_keyframe_id_ = 0;

@@ -31,6 +31,15 @@ Eigen::Matrix2f rotationBetween(const FeatureSet& first,
   return Eigen::Rotation2Df(static_cast<float>(turn)).toRotationMatrix();
 }
 
+/// Gives the points' median depth in the first view its unit.
+void normaliseDepth(double median_depth, InitialMap* map) {
+  std::vector<double> depths;
+  for (const InitialMap::Point& point : map->points) depths.push_back(point.p_world.z());
+  const double scale = median_depth / median(std::move(depths), median_depth);
+  for (InitialMap::Point& point : map->points) point.p_world *= scale;
+  map->b.T_cam_world.t *= scale;
+}
+
 }  // namespace
 
 Initializer::Initializer(const Config& config, const CameraModel& camera)
@@ -135,6 +144,7 @@ InitialMap Initializer::makeMap(const TwoViewResult& result,
   for (std::size_t i = 0; i < matches.size(); ++i)
     if (result.triangulated[i])
       map.points.push_back({result.points_a[i], matches[i].a, matches[i].b});
+  normaliseDepth(config_.initialization.median_depth, &map);
   return map;
 }
 
