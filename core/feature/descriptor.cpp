@@ -33,7 +33,7 @@ SteeredPattern::SteeredPattern() {
 
 Descriptor SteeredPattern::describe(const ImageViewU8& smooth, int x, int y, float angle) const {
   const double turns = static_cast<double>(angle) / (2.0 * kPi);
-  const int step = (static_cast<int>(std::lround(turns * kSteps)) + kSteps) % kSteps;
+  const int step = static_cast<int>(std::lround((turns - std::floor(turns)) * kSteps)) % kSteps;
   const DescriptorTest* test =
       steered_.data() + static_cast<std::size_t>(step) * kDescriptorPattern.size();
   const std::uint8_t* center = smooth.row(y) + x;

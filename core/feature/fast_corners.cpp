@@ -1,5 +1,6 @@
 #include "feature/fast_corners.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -37,13 +38,17 @@ RingOffsets ringOffsets(std::ptrdiff_t stride) {
   return offsets;
 }
 
-/// Centroid of the squares of the scores, from the middle of the window.
+/// Centroid of the squares of the scores above the smallest of them, from the middle of the window.
 template <class Scores>
 Vec2f squaredCentroid(const Scores& scores) {
+  int floor = scores[0][0];
+  for (int y = 0; y < kRefineSize; ++y) {
+    for (int x = 0; x < kRefineSize; ++x) floor = std::min<int>(floor, scores[y][x]);
+  }
   int sum = 0, sum_x = 0, sum_y = 0;
   for (int y = 0; y < kRefineSize; ++y) {
     for (int x = 0; x < kRefineSize; ++x) {
-      const int score = scores[y][x];
+      const int score = scores[y][x] - floor;
       const int weight = score * score;
       sum += weight;
       sum_x += weight * (x - kRefineRadius);
