@@ -79,7 +79,7 @@ void main() {
   int point = int(gl_GlobalInvocationID.x);
   if (point >= point_count) return;
   vec3 p_ref = points[point].xyz;
-  Projected projected = projectPoint(p_ref, exp2(-float(level)));
+  Projected projected = projectPoint(p_ref, levelScale(level));
   vec2 size = vec2(textureSize(level_image, 0));
   bool valid = projected.ok &&
                isInside(projected.uv, float(kHalfPatch + 1), size, float(kHalfPatch + 2));

@@ -52,7 +52,7 @@ void main() {
   PointSums result = PointSums(vec4(0.0), vec4(0.0));
   if (p_ref.w > 0.5) {
     vec3 p_cam = rotate(state.q_cam_ref, p_ref.xyz) + state.t_cam_ref.xyz;
-    Projected projected = projectPoint(p_cam, exp2(-float(level)));
+    Projected projected = projectPoint(p_cam, levelScale(level));
     vec2 size = vec2(textureSize(level_image, 0));
     if (projected.ok && isInside(projected.uv, float(kHalfPatch), size, float(kHalfPatch + 1))) {
       result = sumPatch(point, projected.uv, records[at].moments.x);

@@ -48,3 +48,6 @@ int pixelIndex(int level, int point, int k, int c) {
 }
 
 int recordIndex(int level, int point) { return level * constants.limits.x + point; }
+
+// 2^-level, exactly.
+float levelScale(int level) { return 1.0 / float(1 << level); }

@@ -154,7 +154,7 @@ std::vector<Vec6d> randomTwists() {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   std::vector<Vec6d> twists;
-  for (const double size : {0.0, 1e-7, 1e-6, 1e-4, 0.009, 0.0099, 0.0101, 0.011, 0.3, 1.5}) {
+  for (const double size : {0.0, 1e-7, 1e-6, 1e-4, 0.009, 0.0099, 0.0101, 0.011, 0.3, 0.9}) {
     Vec6d twist;
     for (double& value : twist) value = size * normal(random);
     twists.push_back(twist);

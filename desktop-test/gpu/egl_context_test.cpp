@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace glide::test {
 namespace {
 
@@ -13,6 +15,10 @@ using ::testing::HasSubstr;
 
 /// Run by ctest in an environment that hides every EGL driver.
 TEST(EglContextWithoutDriver, SaysWhatEachPlatformAnswered) {
+  if (std::getenv("GLIDE_NO_DRIVER") == nullptr) {
+    GTEST_SKIP()
+        << "no device needed; runs in ctest's gpu_test_without_driver, which hides the drivers";
+  }
   const Result<EglContext> context = EglContext::create(EglDebug::off);
   ASSERT_FALSE(context.ok());
   EXPECT_EQ(context.error().code, ErrorCode::unsupported);

@@ -95,6 +95,17 @@ INSTANTIATE_TEST_SUITE_P(Variants,
                                   std::to_string(std::get<1>(test.param));
                          });
 
+TEST_F(GpuAlignerTest, GivesTheCpusPoseAtTheEndsOfTheConfigsRange) {
+  const AlignScene scene = this->scene(smallMotion(), Exposure{});
+  for (const auto& [patch_size, levels] : {std::pair{5, 8}, std::pair{15, 1}}) {
+    Config::Direct direct;
+    direct.patch_size = patch_size;
+    direct.levels = levels;
+    const AlignResult gpu = alignScene(makeGpu(direct, scene.camera, 64).get(), scene, SE3d{});
+    expectSameResult(gpu, alignOnCpu(direct, scene));
+  }
+}
+
 TEST_F(GpuAlignerTest, FollowsAChangeOfExposure) {
   for (const Exposure& exposure : {Exposure{0.6, 20.0}, Exposure{1.15, -12.0}}) {
     const AlignScene scene = this->scene(smallMotion(), exposure);

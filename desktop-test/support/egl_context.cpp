@@ -4,6 +4,7 @@
 #include <EGL/eglext.h>
 
 #include <array>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,22 @@ std::vector<EGLDeviceEXT> eglDevices() {
   return {devices.begin(), devices.begin() + count};
 }
 
+/// ANGLE, which new Androids put under OpenGL ES, on its software Vulkan.
+EGLDisplay angleDisplay(PFNEGLGETPLATFORMDISPLAYEXTPROC get) {
+  const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  if (extensions == nullptr || std::strstr(extensions, "EGL_ANGLE_platform_angle") == nullptr) {
+    return EGL_NO_DISPLAY;
+  }
+  // EGL_ANGLE_platform_angle and its siblings; Mesa's eglext_angle.h lacks them.
+  constexpr EGLenum kPlatformAngle = 0x3202;
+  constexpr EGLint kType = 0x3203, kVulkan = 0x3450;
+  constexpr EGLint kDevice = 0x3209, kSwiftShader = 0x3487;
+  constexpr EGLint kNativePlatform = 0x348F, kHeadless = 0x34A6;
+  const EGLint wanted[] = {
+      kType, kVulkan, kDevice, kSwiftShader, kNativePlatform, kHeadless, EGL_NONE};
+  return get(kPlatformAngle, EGL_DEFAULT_DISPLAY, wanted);
+}
+
 std::vector<Candidate> candidates() {
   std::vector<Candidate> found;
   const auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
@@ -42,6 +59,7 @@ std::vector<Candidate> candidates() {
   if (get != nullptr) {
     found.push_back(
         {"surfaceless", get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+    found.push_back({"angle", angleDisplay(get)});
     for (EGLDeviceEXT device : eglDevices()) {
       found.push_back({"device", get(EGL_PLATFORM_DEVICE_EXT, device, nullptr)});
     }

@@ -11,7 +11,8 @@ namespace glide::test {
 enum class EglDebug { off, on };
 
 /// An OpenGL ES 3.1 context without any window, current on the thread that made it until it is
-/// destroyed there. Tries Mesa's surfaceless platform, then EGL devices, then the default display.
+/// destroyed there. Tries Mesa's surfaceless platform, then ANGLE, EGL devices, then the default
+/// display.
 class EglContext {
  public:
   /// unsupported, with what each platform said, when there is no such context.
@@ -21,7 +22,7 @@ class EglContext {
   EglContext& operator=(EglContext&& other) noexcept;
   ~EglContext();
 
-  /// The platform that gave the context: "surfaceless", "device" or "default".
+  /// The platform that gave the context: "surfaceless", "angle", "device" or "default".
   const std::string& platform() const { return platform_; }
 
   /// EGLDisplay and EGLContext, for tests that need more of EGL.
