@@ -18,13 +18,14 @@ struct SharedGl {
   std::vector<std::string> messages;
 };
 
-// NOLINTNEXTLINE(readability-function-size): the signature is KHR_debug's
+// NOLINTBEGIN(readability-function-size): the signature is KHR_debug's
 void GL_APIENTRY
 onMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* user) {
   if (type != GL_DEBUG_TYPE_ERROR_KHR) return;
   auto* messages = static_cast<std::vector<std::string>*>(const_cast<void*>(user));
   messages->emplace_back(message);
 }
+// NOLINTEND(readability-function-size)
 
 void listen(SharedGl* shared) {
   const auto set_callback = reinterpret_cast<PFNGLDEBUGMESSAGECALLBACKKHRPROC>(
