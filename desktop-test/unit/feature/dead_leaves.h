@@ -21,13 +21,18 @@ class DeadLeaves {
   }
 
   /// Pixel p of the image shows the point A * (p - centre) + middle of the collage, averaged over
-  /// the pixel; contrast 1 keeps grey levels, smaller ones pull them towards mid grey.
+  /// the pixel; contrast 1 keeps grey levels, smaller ones pull them towards mid grey. The collage
+  /// is 512 pixels wide and high; its edges go on outside.
   ImageU8 render(int width, int height, const Eigen::Matrix2f& A, float contrast) const {
     ImageU8 image(width, height);
+    const Eigen::Matrix2f A_canvas = kOversampling * A;
+    const Vec2f middle = Vec2f::Constant(0.5F * kSide);
+    const Vec2f centre(0.5F * static_cast<float>(width - 1), 0.5F * static_cast<float>(height - 1));
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        const float grey = 128.0F + contrast * (average(A, offCentre(image, x, y)) - 128.0F);
-        image.at(x, y) = static_cast<std::uint8_t>(std::lround(grey));
+        const Vec2f off = Vec2f(static_cast<float>(x), static_cast<float>(y)) - centre;
+        const float grey = average(A_canvas * off + middle, A_canvas);
+        image.row(y)[x] = static_cast<std::uint8_t>(std::lround(128.0F + contrast * (grey - 128)));
       }
     }
     return image;
@@ -38,50 +43,49 @@ class DeadLeaves {
   }
 
  private:
-  static constexpr int kOversampling = 4;  ///< canvas pixels per unit
-  static constexpr int kSide = 2048;
+  static constexpr int kOversampling = 3;  ///< canvas pixels per unit
+  static constexpr int kSide = 512 * kOversampling;
   static constexpr int kLeaves = 2500;
-
-  static Vec2f offCentre(const ImageU8& image, int x, int y) {
-    return {static_cast<float>(x) - 0.5F * static_cast<float>(image.width() - 1),
-            static_cast<float>(y) - 0.5F * static_cast<float>(image.height() - 1)};
-  }
+  static constexpr float kSmallestLeaf = 12.0F;  ///< half length, canvas pixels
 
   static float uniform(std::mt19937* rng) {
     return static_cast<float>((*rng)() >> 8U) / static_cast<float>(1U << 24U);
   }
 
   void paintLeaf(std::mt19937* rng) {
-    const float size = 16.0F / std::sqrt(0.02F + uniform(rng));
-    const float half_x = size, half_y = size * (0.3F + 0.7F * uniform(rng));
+    const float half_u = kSmallestLeaf / std::sqrt(0.02F + uniform(rng));
+    const float half_v = half_u * (0.3F + 0.7F * uniform(rng));
     const Vec2f center(kSide * uniform(rng), kSide * uniform(rng));
     const float angle = 3.14159265F * uniform(rng);
-    const Vec2f axis(std::cos(angle), std::sin(angle));
+    const float c = std::cos(angle), s = std::sin(angle);
     const auto grey = static_cast<std::uint8_t>(256.0F * uniform(rng));
-    const float reach = std::hypot(half_x, half_y);
+    const float reach = std::hypot(half_u, half_v);
     const auto low = [](float v) { return std::max(0, static_cast<int>(v)); };
     const auto high = [](float v) { return std::min(kSide, static_cast<int>(v)); };
     for (int y = low(center.y() - reach); y < high(center.y() + reach); ++y) {
+      std::uint8_t* row = canvas_.row(y);
+      const float dy = static_cast<float>(y) - center.y();
       for (int x = low(center.x() - reach); x < high(center.x() + reach); ++x) {
-        const Vec2f d = Vec2f(static_cast<float>(x), static_cast<float>(y)) - center;
-        const float u = d.dot(axis), v = d.x() * axis.y() - d.y() * axis.x();
-        if (std::abs(u) < half_x && std::abs(v) < half_y) canvas_.at(x, y) = grey;
+        const float dx = static_cast<float>(x) - center.x();
+        if (std::abs(c * dx + s * dy) < half_u && std::abs(c * dy - s * dx) < half_v) row[x] = grey;
       }
     }
   }
 
-  float average(const Eigen::Matrix2f& A, const Vec2f& offset) const {
+  /// Mean grey level of a pixel around `center` on the canvas.
+  float average(const Vec2f& center, const Eigen::Matrix2f& A_canvas) const {
     int sum = 0;
-    for (int j = 0; j < kOversampling; ++j) {
-      for (int i = 0; i < kOversampling; ++i) {
-        const Vec2f sub(subPixel(i), subPixel(j));
-        const Vec2f at = kOversampling * (A * (offset + sub)) + Vec2f::Constant(0.5F * kSide);
-        const int x = std::clamp(static_cast<int>(std::floor(at.x())), 0, kSide - 1);
-        const int y = std::clamp(static_cast<int>(std::floor(at.y())), 0, kSide - 1);
-        sum += canvas_.at(x, y);
-      }
+    for (int part = 0; part < kOversampling * kOversampling; ++part) {
+      const float u = subPixel(part % kOversampling), v = subPixel(part / kOversampling);
+      const float x = center.x() + A_canvas(0, 0) * u + A_canvas(0, 1) * v;
+      const float y = center.y() + A_canvas(1, 0) * u + A_canvas(1, 1) * v;
+      sum += canvas_.row(onCanvas(y))[onCanvas(x)];
     }
     return static_cast<float>(sum) / (kOversampling * kOversampling);
+  }
+
+  static int onCanvas(float coordinate) {
+    return static_cast<int>(std::clamp(coordinate, 0.0F, static_cast<float>(kSide - 1)));
   }
 
   /// Centre of one of the parts of a pixel, from the pixel's centre.
