@@ -55,35 +55,41 @@ TrackedFrame IndirectTracker::track(const Frame& frame, const IndirectGuess& gue
   tracked.stats.pose_ms = watch.lapMs();
   if (attempt.matches.count < kMinFirstMatches || !attempt.pose.valid) return tracked;
 
-  std::vector<LandmarkId> seen;
-  for (const MapSnapshot::LandmarkEntry* landmark : attempt.matches.of_feature)
-    if (landmark != nullptr) seen.push_back(landmark->id);
-  LocalMapLimits limits = kLocal;
-  limits.max_landmarks = config_.indirect.max_local_landmarks;
-  const LocalMap local = collectLocalMap(*frame.map, seen, limits);
-  search_.beginFrame();
-  search_.extend(local.landmarks,
-                 *tracked.features,
-                 {attempt.pose.T_cam_world,
-                  kRefinedWindow * config_.indirect.search_radius_px,
-                  config_.indirect.max_descriptor_distance},
-                 &attempt.matches);
+  const LocalMap local = widen(frame, *tracked.features, &attempt);
   tracked.stats.match_ms = watch.lapMs();
   attempt.pose = search_.refine(attempt.pose.T_cam_world, *tracked.features, &attempt.matches);
-  if (attempt.pose.valid) {
-    const std::vector<FeatureMove> moves = refineMatches({&camera_, &levels_},
-                                                         *frame.map,
-                                                         attempt.pose.T_cam_world,
-                                                         *tracked.features,
-                                                         attempt.matches);
-    tracked.features = std::make_shared<const FeatureSet>(tracked.features->withMoved(moves));
-    attempt.pose = search_.refine(attempt.pose.T_cam_world, *tracked.features, &attempt.matches);
-  }
+  if (attempt.pose.valid) tracked.features = alignCorners(frame, tracked.features, &attempt);
   tracked.stats.pose_ms += watch.lapMs();
   if (!attempt.pose.valid) return tracked;
   report(frame, attempt, local, &tracked);
   if (tracked.ok) recent_ = tracked.landmarks;
   return tracked;
+}
+
+LocalMap IndirectTracker::widen(const Frame& frame, const FeatureSet& features, Attempt* attempt) {
+  std::vector<LandmarkId> seen;
+  for (const MapSnapshot::LandmarkEntry* landmark : attempt->matches.of_feature)
+    if (landmark != nullptr) seen.push_back(landmark->id);
+  LocalMapLimits limits = kLocal;
+  limits.max_landmarks = config_.indirect.max_local_landmarks;
+  LocalMap local = collectLocalMap(*frame.map, seen, limits);
+  search_.beginFrame();
+  search_.extend(local.landmarks,
+                 features,
+                 {attempt->pose.T_cam_world,
+                  kRefinedWindow * config_.indirect.search_radius_px,
+                  config_.indirect.max_descriptor_distance},
+                 &attempt->matches);
+  return local;
+}
+
+std::shared_ptr<const FeatureSet> IndirectTracker::alignCorners(
+    const Frame& frame, const std::shared_ptr<const FeatureSet>& features, Attempt* attempt) const {
+  const std::vector<FeatureMove> moves = refineMatches(
+      {&camera_, &levels_}, *frame.map, attempt->pose.T_cam_world, *features, attempt->matches);
+  auto aligned = std::make_shared<const FeatureSet>(features->withMoved(moves));
+  attempt->pose = search_.refine(attempt->pose.T_cam_world, *aligned, &attempt->matches);
+  return aligned;
 }
 
 IndirectTracker::Attempt IndirectTracker::searchAround(const Frame& frame,

@@ -47,6 +47,12 @@ class IndirectTracker {
 
   Attempt searchAround(const Frame& frame, const FeatureSet& features, const IndirectGuess& guess);
   Attempt recover(const Frame& frame, const FeatureSet& features, const IndirectGuess& guess);
+  /// Adds what the local map expects in view.
+  LocalMap widen(const Frame& frame, const FeatureSet& features, Attempt* attempt);
+  /// Sub-pixel corners, and the pose from them.
+  std::shared_ptr<const FeatureSet> alignCorners(const Frame& frame,
+                                                 const std::shared_ptr<const FeatureSet>& features,
+                                                 Attempt* attempt) const;
   void report(const Frame& frame,
               const Attempt& attempt,
               const LocalMap& local,

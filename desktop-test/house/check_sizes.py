@@ -35,7 +35,8 @@ def functions_of(path, text):
 
 def is_waived(lines, function):
     """Where a foreign interface dictates the size, the line before the function says so to clang-tidy and to us."""
-    return function.line > 1 and "NOLINTNEXTLINE(readability-function-size)" in lines[function.line - 2]
+    waivers = ("NOLINTNEXTLINE(readability-function-size)", "NOLINTBEGIN(readability-function-size)")
+    return function.line > 1 and any(waiver in lines[function.line - 2] for waiver in waivers)
 
 
 def check_text(path, text):
