@@ -5,6 +5,7 @@ usage: check_sizes.py ROOT
 """
 import ast
 import pathlib
+import re
 import sys
 
 import cpp_functions
