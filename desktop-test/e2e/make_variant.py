@@ -57,10 +57,14 @@ def write_sensor(path, camera):
 
 
 def convert(source, target, image_filter):
+    """All images in one run of ffmpeg, which numbers them; they get their names back afterwards."""
     os.makedirs(target, exist_ok=True)
-    for name in sorted(os.listdir(source)):
-        command = ["ffmpeg", "-v", "error", "-y", "-i", os.path.join(source, name), "-vf", image_filter]
-        subprocess.run(command + [os.path.join(target, name)], check=True)
+    names = sorted(name for name in os.listdir(source) if name.endswith(".png"))
+    numbered = os.path.join(target, "%06d.tmp.png")
+    pattern = ["-pattern_type", "glob", "-i", os.path.join(source, "*.png")]
+    subprocess.run(["ffmpeg", "-v", "error", "-y", *pattern, "-vf", image_filter, "-start_number", "0", numbered], check=True)
+    for index, name in enumerate(names):
+        os.replace(numbered % index, os.path.join(target, name))
 
 
 def main():
