@@ -15,11 +15,12 @@ function(glide_module name)
   endif()
 endfunction()
 
-# glide_tests(NAME LINKS ...): the test program NAME_test of all sources in this folder's NAME, one
+# glide_tests(NAME LINKS ...): the test program NAME_test of all *_test.cpp (and *_fixture.cpp) in this folder's NAME, one
 # ctest entry per test program.
 function(glide_tests name)
   cmake_parse_arguments(ARG "" "" "LINKS;LABELS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*_test.cpp
+       ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*_fixture.cpp)
   if(NOT sources)
     return()
   endif()
