@@ -28,10 +28,10 @@ void detectCorners(const ImageViewU8& level,
                    const CornerThresholds& thresholds,
                    std::vector<Corner>* corners);
 
-/// Keeps `count` corners (all when there are fewer), strong ones, evenly spread: no two of them are
-/// closer than the largest distance that still leaves `count` (suppression via square covering,
-/// Bailo et al., Pattern Recognition Letters 2018). Strongest first; of equals, the order they came
-/// in.
+/// Keeps `count` corners (all when there are fewer): those that are the strongest within a distance
+/// that leaves somewhat more than `count` (suppression via square covering, Bailo et al., Pattern
+/// Recognition Letters 2018), and of them the strongest. Strongest first; of equals, the order they
+/// came in.
 void keepSpread(int width, int height, int count, std::vector<Corner>* corners);
 
 }  // namespace glide
