@@ -21,8 +21,8 @@ constexpr int kMaxDescriptorDistance = 50;
 constexpr double kRangeSlack = 1.2;
 // Viewing directions further apart look different.
 constexpr double kMinViewingCosine = 0.5;
-// Two features of one keyframe further apart than this are two corners, not one found twice.
-constexpr double kSameCornerPx = 4.0;
+// Of what one landmark saw, explained by the other one's position: the gate alone refuses 5 %.
+constexpr double kMinExplainedShare = 0.75;
 
 std::vector<KeyframeId> keyframesAround(const MapperState& state,
                                         KeyframeId id,
@@ -81,48 +81,62 @@ std::optional<ProjectedTarget> expect(const MapperState& state,
   return target;
 }
 
-// Two corners in the same image cannot be one point.
-bool areSeenApart(const Map& map, const Landmark& a, const Landmark& b) {
+// Two features of one image are two corners, or one corner on two levels: two landmarks either way.
+bool areSeenTogether(const Landmark& a, const Landmark& b) {
   for (const Observation& seen_a : a.observations) {
     for (const Observation& seen_b : b.observations) {
-      if (seen_a.keyframe != seen_b.keyframe) continue;
-      const FeatureSet& features = *map.keyframe(seen_a.keyframe)->features;
-      const Feature& one = features.feature(static_cast<std::size_t>(seen_a.feature));
-      const Feature& two = features.feature(static_cast<std::size_t>(seen_b.feature));
-      const double scale = map.levels().scale(std::max(one.level, two.level));
-      if ((one.uv - two.uv).norm() > kSameCornerPx * scale) return true;
+      if (seen_a.keyframe == seen_b.keyframe) return true;
     }
   }
   return false;
 }
 
-// The landmark with more observations survives, the older one among equals.
-void merge(Map* map, LandmarkId id_a, LandmarkId id_b) {
-  const Landmark& a = *map->landmark(id_a);
-  const Landmark& b = *map->landmark(id_b);
-  if (areSeenApart(*map, a, b)) return;
+// Whether the point reprojects onto the observed feature.
+bool fits(const MapperState& state, const Vec3d& p_world, const Observation& observation) {
+  const Keyframe& keyframe = *state.map.keyframe(observation.keyframe);
+  const Feature& corner = keyframe.features->feature(static_cast<std::size_t>(observation.feature));
+  const std::optional<Vec2d> uv = state.camera.project(keyframe.T_cam_world * p_world);
+  const double inv_sigma = inverseSigma(state.map.levels(), corner.level);
+  return uv && (*uv - corner.uv.cast<double>()).squaredNorm() * inv_sigma * inv_sigma < kChi2_2;
+}
+
+bool explains(const MapperState& state, const Vec3d& p_world, const Landmark& landmark) {
+  std::size_t explained = 0;
+  for (const Observation& observation : landmark.observations) {
+    explained += fits(state, p_world, observation) ? 1U : 0U;
+  }
+  return static_cast<double>(explained) >=
+         kMinExplainedShare * static_cast<double>(landmark.observations.size());
+}
+
+// The landmark with more observations survives, the older one among equals; its position must
+// explain what the other one saw.
+void merge(MapperState* state, LandmarkId id_a, LandmarkId id_b) {
+  const Landmark& a = *state->map.landmark(id_a);
+  const Landmark& b = *state->map.landmark(id_b);
+  if (areSeenTogether(a, b)) return;
   const bool keep_a = a.observations.size() != b.observations.size()
                           ? a.observations.size() > b.observations.size()
                           : id_a < id_b;
-  map->replaceLandmark(keep_a ? id_b : id_a, keep_a ? id_a : id_b);
+  const Landmark& keeper = keep_a ? a : b;
+  const Landmark& other = keep_a ? b : a;
+  if (!explains(*state, keeper.p_world, other)) return;
+  const LandmarkId gone = other.id;
+  state->map.replaceLandmark(gone, keeper.id);
 }
 
 void associate(MapperState* state, KeyframeId keyframe_id, LandmarkId landmark_id, int feature) {
-  const Keyframe& keyframe = *state->map.keyframe(keyframe_id);
   const Landmark* landmark = state->map.landmark(landmark_id);
   if (landmark == nullptr || isSeenBy(*landmark, keyframe_id)) return;  // fused meanwhile
-  const auto slot = static_cast<std::size_t>(feature);
-  const Feature& corner = keyframe.features->feature(slot);
-  const std::optional<Vec2d> uv = state->camera.project(keyframe.T_cam_world * landmark->p_world);
-  const double inv_sigma = inverseSigma(state->map.levels(), corner.level);
-  if (!uv || (*uv - corner.uv.cast<double>()).squaredNorm() * inv_sigma * inv_sigma > kChi2_2)
-    return;
+  const Observation observation{keyframe_id, feature};
+  if (!fits(*state, landmark->p_world, observation)) return;
 
-  const LandmarkId holder = keyframe.landmarks[slot];
+  const Keyframe& keyframe = *state->map.keyframe(keyframe_id);
+  const LandmarkId holder = keyframe.landmarks[static_cast<std::size_t>(feature)];
   if (holder == kNoLandmark) {
-    state->map.addObservation(landmark_id, {keyframe_id, feature});
+    state->map.addObservation(landmark_id, observation);
   } else {
-    merge(&state->map, landmark_id, holder);
+    merge(state, landmark_id, holder);
   }
 }
 
@@ -153,15 +167,15 @@ void fuseAround(MapperState* state, KeyframeId id, const std::atomic<bool>* inte
   const bool is_hurried = interrupt != nullptr && interrupt->load();
   const std::vector<KeyframeId> around =
       keyframesAround(*state, id, is_hurried ? 0 : kSecondNeighbors);
-  std::vector<LandmarkId> own;
-  appendLandmarks(*state->map.keyframe(id), &own);
-  for (const KeyframeId neighbor : around) fuseInto(state, neighbor, own);
-
   std::vector<LandmarkId> theirs;
   for (const KeyframeId neighbor : around) appendLandmarks(*state->map.keyframe(neighbor), &theirs);
   std::sort(theirs.begin(), theirs.end());
   theirs.erase(std::unique(theirs.begin(), theirs.end()), theirs.end());
   fuseInto(state, id, theirs);
+
+  std::vector<LandmarkId> own;  // with what was just found
+  appendLandmarks(*state->map.keyframe(id), &own);
+  for (const KeyframeId neighbor : around) fuseInto(state, neighbor, own);
   state->map.refreshChanged();
 }
 

@@ -55,6 +55,10 @@ SyntheticCloud::SyntheticCloud(const CameraModel& camera, const SyntheticCloudOp
     Descriptor descriptor{};
     for (std::uint64_t& word : descriptor) word = random_();
     descriptors_.push_back(descriptor);
+    const auto looks = static_cast<std::size_t>(options.looks);
+    if (looks > 0 && descriptors_.size() > looks) {
+      descriptors_.back() = descriptors_[static_cast<std::size_t>(i) % looks];
+    }
   }
 }
 

@@ -18,8 +18,9 @@ struct SyntheticCloudOptions {
   int points = 2500;
   Vec3d low = Vec3d(-6.0, -3.0, 3.0);  ///< corner of the box that holds the points, world units
   Vec3d high = Vec3d(12.0, 3.0, 8.0);  ///< opposite corner
-  double noise_px = 0.0;      ///< standard deviation per axis at level 0; grows with the level
-  int flipped_bits = 0;       ///< of each descriptor, chosen anew in every view
+  double noise_px = 0.0;  ///< standard deviation per axis at level 0; grows with the level
+  int flipped_bits = 0;   ///< of each descriptor, chosen anew in every view
+  int looks = 0;          ///< distinct descriptors shared by all corners; 0 = one for each corner
   double missed_share = 0.1;  ///< corners that a view does not detect although they are visible
   std::uint64_t seed = 1;
 };

@@ -112,6 +112,33 @@ TEST(LocalMapper, HoldsEachCornerOnce) {
   EXPECT_LE(duplicates, corners.size() / 50);
 }
 
+/// Share of the observations that show another corner than the landmark's first one.
+double mixedShare(const MappedWalk& walk) {
+  int all = 0;
+  int mixed = 0;
+  const auto map = walk.map();
+  for (const auto& landmark : map->landmarks()) {
+    const int corner = walk.tracker_.cornerOf(landmark);
+    for (const Observation& seen : landmark.observations) {
+      MapSnapshot::LandmarkEntry alone;
+      alone.observations = {seen};
+      ++all;
+      if (walk.tracker_.cornerOf(alone) != corner) ++mixed;
+    }
+  }
+  return static_cast<double>(mixed) / all;
+}
+
+TEST(LocalMapper, MixesFewCornersOfARepetitiveTexture) {
+  SyntheticCloudOptions options = noisyCloud();
+  options.looks = 60;  // twenty corners look the same, five of them in a view
+  MappedWalk walk(options, sloppyTracker());
+  walk.start();
+  walk.advance(8, 1.0, nullptr);
+  EXPECT_LT(mixedShare(walk), 0.02);
+  EXPECT_LT(walk.keyframeError(), 0.01);
+}
+
 TEST(LocalMapper, RetiresRedundantKeyframesAndKeepsTheirPoses) {
   SyntheticCloudOptions options = smallCloud();
   options.missed_share = 0.0;
