@@ -131,11 +131,11 @@ double mixedShare(const MappedWalk& walk) {
 
 TEST(LocalMapper, MixesFewCornersOfARepetitiveTexture) {
   SyntheticCloudOptions options = noisyCloud();
-  options.looks = 60;  // twenty corners look the same, five of them in a view
+  options.looks = 3;  // a hundred corners of a view look the same: geometry has to tell them apart
   MappedWalk walk(options, sloppyTracker());
   walk.start();
   walk.advance(8, 1.0, nullptr);
-  EXPECT_LT(mixedShare(walk), 0.02);
+  EXPECT_LT(mixedShare(walk), 0.01);
   EXPECT_LT(walk.keyframeError(), 0.01);
 }
 
