@@ -16,6 +16,9 @@ struct Keyframe {
   KeyframeId id;
   std::int64_t t_ns = 0;
   SE3d T_cam_world;
+  /// How much lengths in this keyframe's camera frame have grown by corrections of the map since it
+  /// was made (loop closing); a pose measured relative to it at scale s is now longer by scale / s.
+  double scale = 1.0;
   std::shared_ptr<const FeatureSet> features;
   std::vector<LandmarkId> landmarks;  ///< per feature, kNoLandmark where none
 };
@@ -27,6 +30,7 @@ struct RetiredKeyframe {
   std::int64_t t_ns = 0;
   KeyframeId parent;  ///< may itself be retired later
   SE3d T_cam_parent;
+  double scale = 1.0;  ///< as Keyframe::scale
 };
 
 }  // namespace glide

@@ -152,7 +152,11 @@ bool Map::retireKeyframe(KeyframeId id) {
     child.parent = parent;
     child.T_cam_parent = child.T_cam_parent * T_cam_parent;
   }
-  retired_.emplace(id, RetiredKeyframe{id, leaving->t_ns, parent, T_cam_parent});
+  for (LoopEdge& edge : loops_) {
+    if (edge.newer == id) edge.newer = parent;
+    if (edge.older == id) edge.older = parent;
+  }
+  retired_.emplace(id, RetiredKeyframe{id, leaving->t_ns, parent, T_cam_parent, leaving->scale});
   keyframes_.erase(id);
   return true;
 }
@@ -164,11 +168,29 @@ void Map::clear() {
   created_.clear();
   changed_.clear();
   covisibility_ = Covisibility{};
+  loops_.clear();
 }
 
 void Map::setPose(KeyframeId id, const SE3d& T_cam_world) {
   const auto keyframe = keyframes_.find(id);
   if (keyframe != keyframes_.end()) keyframe->second.T_cam_world = T_cam_world;
+}
+
+void Map::moveKeyframe(const KeyframeMove& move) {
+  const auto found = keyframes_.find(move.id);
+  if (found == keyframes_.end()) return;
+  Keyframe& keyframe = found->second;
+  const SE3d& old = keyframe.T_cam_world;
+  const Sim3d S_old_new = move.S_new_old.inverse();
+  const double grown = move.S_new_old.s;
+  // Old world to camera, from the new world, in the camera's new unit.
+  keyframe.T_cam_world = {old.q * S_old_new.q, grown * (old.q * S_old_new.t + old.t)};
+  keyframe.scale *= grown;
+  for (auto& [id, child] : retired_) {
+    if (child.parent != move.id) continue;
+    child.T_cam_parent.t *= grown;
+    child.scale *= grown;
+  }
 }
 
 void Map::moveFeatures(KeyframeId id, std::span<const FeatureMove> moves) {

@@ -27,6 +27,7 @@ class Map {
   std::size_t landmarkCount() const { return landmarks_.size(); }
   std::vector<LandmarkId> landmarkIds() const;  ///< ascending
   const Covisibility& covisibility() const { return covisibility_; }
+  const std::vector<LoopEdge>& loops() const { return loops_; }  ///< in the order of closing
 
   /// Null when there is no such thing (any more).
   const Keyframe* keyframe(KeyframeId id) const;
@@ -63,7 +64,13 @@ class Map {
   /// Drops everything, retired keyframes too.
   void clear();
 
+  /// Both keyframes live; the edge moves to the parent when one of them is retired.
+  void addLoopEdge(const LoopEdge& edge) { loops_.push_back(edge); }
+
   void setPose(KeyframeId id, const SE3d& T_cam_world);
+  /// Moves the keyframe, and what is relative to it, by a similarity of the world: its pose, its
+  /// scale and the retired keyframes that hang on it. Landmarks stay.
+  void moveKeyframe(const KeyframeMove& move);
   /// Replaces the keyframe's features by a copy in which some corners lie elsewhere.
   void moveFeatures(KeyframeId id, std::span<const FeatureMove> moves);
   void setPosition(LandmarkId id, const Vec3d& p_world);
@@ -84,6 +91,7 @@ class Map {
   std::vector<LandmarkId> created_;  // ascending, some of them dead: the order of landmarks_
   std::vector<LandmarkId> changed_;  // observations changed, may repeat, some of them dead
   Covisibility covisibility_;
+  std::vector<LoopEdge> loops_;
   LandmarkId next_landmark_{0};
 
   Landmark* find(LandmarkId id);

@@ -25,11 +25,13 @@ const Entry* findById(const std::vector<Entry>& entries, KeyframeId id) {
 MapSnapshot::MapSnapshot(std::uint64_t revision,
                          std::vector<KeyframeEntry> keyframes,
                          std::vector<LandmarkEntry> landmarks,
-                         std::vector<RetiredEntry> retired)
+                         std::vector<RetiredEntry> retired,
+                         std::vector<LoopEdge> loops)
     : revision_(revision),
       keyframes_(std::move(keyframes)),
       landmarks_(std::move(landmarks)),
-      retired_(std::move(retired)) {
+      retired_(std::move(retired)),
+      loops_(std::move(loops)) {
   assert(ascends(keyframes_) && ascends(landmarks_) && ascends(retired_));
   landmark_index_.reserve(landmarks_.size());
   for (std::size_t i = 0; i < landmarks_.size(); ++i) landmark_index_.emplace(landmarks_[i].id, i);
@@ -47,6 +49,12 @@ const MapSnapshot::LandmarkEntry* MapSnapshot::landmark(LandmarkId id) const {
 std::optional<SE3d> MapSnapshot::T_cam_world(KeyframeId id) const {
   if (const KeyframeEntry* living = keyframe(id)) return living->T_cam_world;
   if (const RetiredEntry* gone = findById(retired_, id)) return gone->T_cam_world;
+  return std::nullopt;
+}
+
+std::optional<double> MapSnapshot::scale(KeyframeId id) const {
+  if (const KeyframeEntry* living = keyframe(id)) return living->scale;
+  if (const RetiredEntry* gone = findById(retired_, id)) return gone->scale;
   return std::nullopt;
 }
 

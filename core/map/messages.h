@@ -44,10 +44,77 @@ struct NewKeyframe {
   std::shared_ptr<const FeatureSet> features;
   KeyframeId reference;
   SE3d T_cam_ref;
+  double reference_scale = 1.0;  ///< Keyframe::scale of the reference that T_cam_ref is given in
   std::vector<LandmarkId> landmarks;  ///< per feature; the mapper ignores ids that are gone
   std::vector<LandmarkSighting> sightings;
 };
 
-using MappingMessage = std::variant<InitialMap, NewKeyframe>;
+/// A correction of a keyframe: what lies around it moves by this similarity of the world.
+struct KeyframeMove {
+  KeyframeId id;
+  Sim3d S_new_old;  ///< p_world_new = S_new_old * p_world_old
+};
+
+/// Two keyframes that see the same place although no chain of covisible keyframes said so.
+struct LoopEdge {
+  KeyframeId newer, older;
+};
+
+/// A loop, solved on a snapshot that may be older than the map by now. Keyframes and landmarks that
+/// the snapshot did not have follow a covisible keyframe that it had.
+struct LoopCorrection {
+  LoopEdge edge;
+  std::vector<KeyframeMove> keyframes;  ///< ascending id
+  struct SamePoint {
+    LandmarkId gone;  ///< fused into `kept`
+    LandmarkId kept;
+  };
+  std::vector<SamePoint> same;
+};
+
+/// Global bundle adjustment of a snapshot that may be older than the map by now.
+struct GlobalAdjustment {
+  std::vector<KeyframeMove> keyframes;  ///< ascending id; their S_new_old has scale 1
+  struct LandmarkPosition {
+    LandmarkId id;
+    Vec3d p_world;
+  };
+  std::vector<LandmarkPosition> landmarks;  ///< ascending id
+};
+
+class MapSnapshot;
+
+/// A map from a file takes the place of the present one.
+struct RestoredMap {
+  std::shared_ptr<const MapSnapshot> map;
+};
+
+/// Drops the map.
+struct ClearMap {};
+
+using MappingMessage =
+    std::variant<InitialMap, NewKeyframe, LoopCorrection, GlobalAdjustment, RestoredMap, ClearMap>;
+
+/// A frame that was lost, to be placed in the map without a guess.
+struct RelocalizationQuery {
+  std::int64_t t_ns = 0;
+  std::shared_ptr<const FeatureSet> features;
+};
+
+/// The map has a keyframe that it had not: look for loops.
+struct KeyframeMapped {
+  KeyframeId id;
+};
+
+using LoopMessage = std::variant<KeyframeMapped, RelocalizationQuery>;
+
+/// Where a lost frame was, as far as one keyframe's landmarks tell.
+struct Relocalization {
+  std::int64_t t_ns = 0;  ///< of the query
+  KeyframeId keyframe;
+  SE3d T_cam_key;
+  double key_scale = 1.0;  ///< Keyframe::scale that T_cam_key is given in
+  int inliers = 0;
+};
 
 }  // namespace glide

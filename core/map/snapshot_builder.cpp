@@ -14,6 +14,7 @@ std::vector<MapSnapshot::KeyframeEntry> keyframeEntries(const Map& map, int min_
     entry.id = id;
     entry.t_ns = keyframe.t_ns;
     entry.T_cam_world = keyframe.T_cam_world;
+    entry.scale = keyframe.scale;
     entry.features = keyframe.features;
     entry.landmarks = keyframe.landmarks;
     entry.neighbors = map.covisibility().neighbors(id, min_covisibility);
@@ -35,6 +36,9 @@ std::vector<MapSnapshot::LandmarkEntry> landmarkEntries(const Map& map) {
     entry.max_distance = landmark.max_distance;
     entry.descriptor = landmark.descriptor;
     entry.observations = landmark.observations;
+    entry.first_keyframe = landmark.first_keyframe;
+    entry.visible_count = landmark.visible_count;
+    entry.found_count = landmark.found_count;
   }
   return entries;
 }
@@ -43,7 +47,12 @@ std::vector<MapSnapshot::RetiredEntry> retiredEntries(const Map& map) {
   std::vector<MapSnapshot::RetiredEntry> entries;
   entries.reserve(map.retired().size());
   for (const auto& [id, retired] : map.retired()) {
-    entries.push_back({id, retired.t_ns, *map.T_cam_world(id)});
+    entries.push_back({id,
+                       retired.t_ns,
+                       *map.T_cam_world(id),
+                       retired.scale,
+                       retired.parent,
+                       retired.T_cam_parent});
   }
   return entries;
 }
@@ -53,8 +62,11 @@ std::vector<MapSnapshot::RetiredEntry> retiredEntries(const Map& map) {
 std::shared_ptr<const MapSnapshot> snapshotOf(const Map& map,
                                               std::uint64_t revision,
                                               int min_covisibility) {
-  return std::make_shared<const MapSnapshot>(
-      revision, keyframeEntries(map, min_covisibility), landmarkEntries(map), retiredEntries(map));
+  return std::make_shared<const MapSnapshot>(revision,
+                                             keyframeEntries(map, min_covisibility),
+                                             landmarkEntries(map),
+                                             retiredEntries(map),
+                                             map.loops());
 }
 
 }  // namespace glide

@@ -33,6 +33,17 @@ enum class HessianMode {
   constant,  ///< The paper's: H is computed once per reference.
 };
 
+/// What a session does with its map.
+enum class SessionMode {
+  slam,               ///< Extends and corrects it.
+  localization_only,  ///< Only finds the camera in it; needs a map from Session::loadMap.
+};
+
+enum class LoopClosing {
+  on,   ///< Places seen again correct the map.
+  off,  ///< Visual odometry with relocalisation (for comparison).
+};
+
 /// Everything that can be tuned. Each field has its unit and range beside it; config_fields.h lists
 /// the same fields by name, and validate() checks them. Plain data: copy and edit.
 struct Config {
@@ -40,6 +51,7 @@ struct Config {
   Backend backend = Backend::automatic;
   TrackerMode tracker = TrackerMode::hybrid;
   Execution execution = Execution::threaded;
+  SessionMode mode = SessionMode::slam;
 
   /// The photometric tracker of tween frames.
   struct Direct {
@@ -111,6 +123,11 @@ struct Config {
     int ba_iterations = 10;  ///< per local BA, 1..200
     int queue_capacity = 3;  ///< keyframes waiting for the mapper, 1..100
   } mapping;
+
+  /// Places seen again.
+  struct Loop {
+    LoopClosing closing = LoopClosing::on;
+  } loop;
 };
 
 /// Ok, or an invalid_argument error that names the first field out of its range.

@@ -34,6 +34,7 @@ void visitModes(ConfigT& config, Visitor& visit) {
   visit(FieldInfo{"backend", ""}, config.backend);
   visit(FieldInfo{"tracker", ""}, config.tracker);
   visit(FieldInfo{"execution", ""}, config.execution);
+  visit(FieldInfo{"mode", ""}, config.mode);
 }
 
 template <class ConfigT, class Visitor>
@@ -114,6 +115,11 @@ void visitMapping(ConfigT& config, Visitor& visit) {
   visit(FieldInfo{"mapping.queue_capacity", "", 1, 100}, mapping.queue_capacity);
 }
 
+template <class ConfigT, class Visitor>
+void visitLoop(ConfigT& config, Visitor& visit) {
+  visit(FieldInfo{"loop.closing", ""}, config.loop.closing);
+}
+
 }  // namespace config_fields
 
 /// Calls visit(FieldInfo, field&) for every field of a Config (or const Config&) in the order of
@@ -129,6 +135,7 @@ void forEachField(ConfigT& config, Visitor&& visit) {
   config_fields::visitIndirect(config, visit);
   config_fields::visitKeyframes(config, visit);
   config_fields::visitMapping(config, visit);
+  config_fields::visitLoop(config, visit);
 }
 
 }  // namespace glide

@@ -26,6 +26,12 @@ constexpr std::array<EnumName<TrackerMode>, 2> enumNames(TrackerMode) {
 constexpr std::array<EnumName<Execution>, 2> enumNames(Execution) {
   return {{{Execution::threaded, "threaded"}, {Execution::inline_, "inline"}}};
 }
+constexpr std::array<EnumName<SessionMode>, 2> enumNames(SessionMode) {
+  return {{{SessionMode::slam, "slam"}, {SessionMode::localization_only, "localization_only"}}};
+}
+constexpr std::array<EnumName<LoopClosing>, 2> enumNames(LoopClosing) {
+  return {{{LoopClosing::on, "on"}, {LoopClosing::off, "off"}}};
+}
 constexpr std::array<EnumName<PhotometricModel>, 2> enumNames(PhotometricModel) {
   return {{{PhotometricModel::none, "none"}, {PhotometricModel::gain_bias, "gain_bias"}}};
 }
