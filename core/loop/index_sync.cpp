@@ -3,6 +3,11 @@
 namespace glide {
 
 void IndexSync::update(const MapSnapshot& map, PlaceIndex* index) {
+  if (map.generation() != generation_) {
+    index->clear();
+    indexed_.clear();
+    generation_ = map.generation();
+  }
   for (auto it = indexed_.begin(); it != indexed_.end();) {
     if (map.keyframe(*it) != nullptr) {
       ++it;

@@ -3,6 +3,7 @@
 #include "map/map_snapshot.h"
 #include "map/place_index.h"
 
+#include <cstdint>
 #include <set>
 
 namespace glide {
@@ -15,6 +16,7 @@ class IndexSync {
 
  private:
   std::set<KeyframeId> indexed_;
+  std::uint64_t generation_ = 0;
 };
 
 }  // namespace glide

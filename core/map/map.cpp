@@ -50,6 +50,13 @@ std::optional<SE3d> Map::T_cam_world(KeyframeId id) const {
   return gone->second.T_cam_parent * keyframes_.at(gone->second.parent).T_cam_world;
 }
 
+std::optional<double> Map::scale(KeyframeId id) const {
+  if (const Keyframe* living = keyframe(id)) return living->scale;
+  const auto gone = retired_.find(id);
+  if (gone == retired_.end()) return std::nullopt;
+  return gone->second.scale;
+}
+
 bool Map::addKeyframe(Keyframe keyframe) {
   if (keyframes_.count(keyframe.id) > 0 || retired_.count(keyframe.id) > 0) return false;
   keyframe.landmarks.assign(keyframe.features->size(), kNoLandmark);

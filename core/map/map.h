@@ -35,6 +35,8 @@ class Map {
 
   /// Pose of a keyframe, living or retired.
   std::optional<SE3d> T_cam_world(KeyframeId id) const;
+  /// Keyframe::scale of a keyframe, living or retired.
+  std::optional<double> scale(KeyframeId id) const;
 
   /// False when the id is taken. The keyframe starts without observations, whatever `landmarks`
   /// says.

@@ -22,39 +22,31 @@ const Entry* findById(const std::vector<Entry>& entries, KeyframeId id) {
 
 }  // namespace
 
-MapSnapshot::MapSnapshot(std::uint64_t revision,
-                         std::vector<KeyframeEntry> keyframes,
-                         std::vector<LandmarkEntry> landmarks,
-                         std::vector<RetiredEntry> retired,
-                         std::vector<LoopEdge> loops)
-    : revision_(revision),
-      keyframes_(std::move(keyframes)),
-      landmarks_(std::move(landmarks)),
-      retired_(std::move(retired)),
-      loops_(std::move(loops)) {
-  assert(ascends(keyframes_) && ascends(landmarks_) && ascends(retired_));
-  landmark_index_.reserve(landmarks_.size());
-  for (std::size_t i = 0; i < landmarks_.size(); ++i) landmark_index_.emplace(landmarks_[i].id, i);
+MapSnapshot::MapSnapshot(Parts parts) : parts_(std::move(parts)) {
+  const std::vector<LandmarkEntry>& landmarks = parts_.landmarks;
+  assert(ascends(parts_.keyframes) && ascends(landmarks) && ascends(parts_.retired));
+  landmark_index_.reserve(landmarks.size());
+  for (std::size_t i = 0; i < landmarks.size(); ++i) landmark_index_.emplace(landmarks[i].id, i);
 }
 
 const MapSnapshot::KeyframeEntry* MapSnapshot::keyframe(KeyframeId id) const {
-  return findById(keyframes_, id);
+  return findById(parts_.keyframes, id);
 }
 
 const MapSnapshot::LandmarkEntry* MapSnapshot::landmark(LandmarkId id) const {
   const auto found = landmark_index_.find(id);
-  return found != landmark_index_.end() ? &landmarks_[found->second] : nullptr;
+  return found != landmark_index_.end() ? &parts_.landmarks[found->second] : nullptr;
 }
 
 std::optional<SE3d> MapSnapshot::T_cam_world(KeyframeId id) const {
   if (const KeyframeEntry* living = keyframe(id)) return living->T_cam_world;
-  if (const RetiredEntry* gone = findById(retired_, id)) return gone->T_cam_world;
+  if (const RetiredEntry* gone = findById(parts_.retired, id)) return gone->T_cam_world;
   return std::nullopt;
 }
 
 std::optional<double> MapSnapshot::scale(KeyframeId id) const {
   if (const KeyframeEntry* living = keyframe(id)) return living->scale;
-  if (const RetiredEntry* gone = findById(retired_, id)) return gone->scale;
+  if (const RetiredEntry* gone = findById(parts_.retired, id)) return gone->scale;
   return std::nullopt;
 }
 

@@ -49,19 +49,27 @@ class MapSnapshot {
     SE3d T_cam_parent;
   };
 
-  MapSnapshot() = default;  ///< empty, revision 0
-  MapSnapshot(std::uint64_t revision,
-              std::vector<KeyframeEntry> keyframes,
-              std::vector<LandmarkEntry> landmarks,
-              std::vector<RetiredEntry> retired,
-              std::vector<LoopEdge> loops);
+  struct Parts {
+    std::uint64_t revision = 0;
+    std::uint64_t generation = 0;          ///< see generation()
+    std::vector<KeyframeEntry> keyframes;  ///< ascending id
+    std::vector<LandmarkEntry> landmarks;  ///< ascending id
+    std::vector<RetiredEntry> retired;     ///< ascending id
+    std::vector<LoopEdge> loops;           ///< in the order of closing
+  };
 
-  std::uint64_t revision() const { return revision_; }
-  bool empty() const { return keyframes_.empty(); }
-  const std::vector<KeyframeEntry>& keyframes() const { return keyframes_; }  ///< ascending id
-  const std::vector<LandmarkEntry>& landmarks() const { return landmarks_; }  ///< ascending id
-  const std::vector<RetiredEntry>& retired() const { return retired_; }
-  const std::vector<LoopEdge>& loops() const { return loops_; }  ///< in the order of closing
+  MapSnapshot() = default;  ///< empty, revision 0
+  explicit MapSnapshot(Parts parts);
+
+  std::uint64_t revision() const { return parts_.revision; }
+  /// Changes when the map is replaced by another (a new start, a file): ids begin to mean something
+  /// else.
+  std::uint64_t generation() const { return parts_.generation; }
+  bool empty() const { return parts_.keyframes.empty(); }
+  const std::vector<KeyframeEntry>& keyframes() const { return parts_.keyframes; }
+  const std::vector<LandmarkEntry>& landmarks() const { return parts_.landmarks; }
+  const std::vector<RetiredEntry>& retired() const { return parts_.retired; }
+  const std::vector<LoopEdge>& loops() const { return parts_.loops; }
 
   /// Null when the map has no such thing (any more).
   const KeyframeEntry* keyframe(KeyframeId id) const;
@@ -73,11 +81,7 @@ class MapSnapshot {
   std::optional<double> scale(KeyframeId id) const;
 
  private:
-  std::uint64_t revision_ = 0;
-  std::vector<KeyframeEntry> keyframes_;
-  std::vector<LandmarkEntry> landmarks_;
-  std::vector<RetiredEntry> retired_;
-  std::vector<LoopEdge> loops_;
+  Parts parts_;
   std::unordered_map<LandmarkId, std::size_t> landmark_index_;
 };
 

@@ -59,14 +59,14 @@ std::vector<MapSnapshot::RetiredEntry> retiredEntries(const Map& map) {
 
 }  // namespace
 
-std::shared_ptr<const MapSnapshot> snapshotOf(const Map& map,
-                                              std::uint64_t revision,
-                                              int min_covisibility) {
-  return std::make_shared<const MapSnapshot>(revision,
-                                             keyframeEntries(map, min_covisibility),
-                                             landmarkEntries(map),
-                                             retiredEntries(map),
-                                             map.loops());
+std::shared_ptr<const MapSnapshot> snapshotOf(const Map& map, const SnapshotStamp& stamp) {
+  return std::make_shared<const MapSnapshot>(
+      MapSnapshot::Parts{stamp.revision,
+                         stamp.generation,
+                         keyframeEntries(map, stamp.min_covisibility),
+                         landmarkEntries(map),
+                         retiredEntries(map),
+                         map.loops()});
 }
 
 }  // namespace glide

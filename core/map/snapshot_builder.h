@@ -8,11 +8,15 @@
 
 namespace glide {
 
+struct SnapshotStamp {
+  std::uint64_t revision = 0;
+  std::uint64_t generation = 0;
+  int min_covisibility = 1;
+};
+
 /// Copies the map into an immutable value. Features are shared, poses and links copied. A
 /// keyframe's neighbours are those that share at least `min_covisibility` landmarks, or the best
 /// one.
-std::shared_ptr<const MapSnapshot> snapshotOf(const Map& map,
-                                              std::uint64_t revision,
-                                              int min_covisibility);
+std::shared_ptr<const MapSnapshot> snapshotOf(const Map& map, const SnapshotStamp& stamp);
 
 }  // namespace glide

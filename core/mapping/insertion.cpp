@@ -68,7 +68,10 @@ bool insertKeyframe(MapperState* state, const NewKeyframe& message) {
   Keyframe keyframe;
   keyframe.id = message.id;
   keyframe.t_ns = message.t_ns;
-  keyframe.T_cam_world = message.T_cam_ref * *T_ref_world;
+  // Corrections since the frame was tracked may have changed the reference's unit.
+  keyframe.scale = *state->map.scale(message.reference) / message.reference_scale;
+  keyframe.T_cam_world =
+      SE3d{message.T_cam_ref.q, keyframe.scale * message.T_cam_ref.t} * *T_ref_world;
   keyframe.features = message.features;
   state->map.addKeyframe(std::move(keyframe));
 

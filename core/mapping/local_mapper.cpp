@@ -9,6 +9,8 @@
 #include "mapping/recent_landmarks.h"
 #include "mapping/window_adjustment.h"
 
+#include "map/map_correction.h"
+#include "map/map_restore.h"
 #include "map/snapshot_builder.h"
 
 #include <algorithm>
@@ -27,15 +29,46 @@ struct LocalMapper::Impl {
   MapperState state;
   RecentLandmarks recent;
   std::uint64_t revision = 0;
+  std::uint64_t generation = 0;
   Published<MapSnapshot>* const published;
 
   Impl(const Config& config, const CameraModel& camera, Published<MapSnapshot>* published_in)
       : state(config, camera), published(published_in) {}
 
-  void process(const InitialMap& message) {
-    recent.clear();
+  void process(const InitialMap& message, const std::atomic<bool>*) {
+    beginMap();
     startMap(&state, message);
     publish();
+  }
+
+  void process(const RestoredMap& message, const std::atomic<bool>*) {
+    beginMap();
+    restoreMap(*message.map, &state.map);
+    publish();
+  }
+
+  void process(const ClearMap&, const std::atomic<bool>*) {
+    beginMap();
+    publish();
+  }
+
+  void process(const LoopCorrection& message, const std::atomic<bool>* interrupt) {
+    applyCorrection(message, &state.map);
+    if (state.map.keyframe(message.edge.newer) != nullptr)
+      fuseAround(&state, message.edge.newer, interrupt);
+    publish();
+  }
+
+  void process(const GlobalAdjustment& message, const std::atomic<bool>*) {
+    applyAdjustment(message, &state.map);
+    publish();
+  }
+
+  void beginMap() {
+    recent.clear();
+    state.map.clear();
+    state.bearings.clear();
+    ++generation;
   }
 
   void process(const NewKeyframe& message, const std::atomic<bool>* interrupt) {
@@ -65,7 +98,8 @@ struct LocalMapper::Impl {
   }
 
   void publish() {
-    published->store(snapshotOf(state.map, ++revision, state.config.mapping.min_covisibility));
+    published->store(
+        snapshotOf(state.map, {++revision, generation, state.config.mapping.min_covisibility}));
   }
 };
 
@@ -77,9 +111,7 @@ LocalMapper::LocalMapper(const Config& config,
 LocalMapper::~LocalMapper() = default;
 
 void LocalMapper::process(const MappingMessage& message, const std::atomic<bool>* interrupt) {
-  if (const auto* initial = std::get_if<InitialMap>(&message)) impl_->process(*initial);
-  if (const auto* keyframe = std::get_if<NewKeyframe>(&message))
-    impl_->process(*keyframe, interrupt);
+  std::visit([&](const auto& content) { impl_->process(content, interrupt); }, message);
 }
 
 }  // namespace glide

@@ -47,8 +47,10 @@ TrackedFrame DirectTracker::track(const Frame& frame, const SE3d& T_cam_world_gu
     return tracked;
   }
   const SE3d T_ref_world = reference_->pose.T_cam_world(*frame.map);
-  const AlignResult align = aligner_->align(T_cam_world_guess * T_ref_world.inverse());
-  if (align.valid) tracked = makeTracked(align, T_ref_world);
+  SE3d T_cam_ref_guess = T_cam_world_guess * T_ref_world.inverse();
+  T_cam_ref_guess.t /= reference_->pose.growth(*frame.map);  // the reference keeps its unit
+  const AlignResult align = aligner_->align(T_cam_ref_guess);
+  if (align.valid) tracked = makeTracked(align, *frame.map);
   tracked.switch_reason =
       decideSwitch(config_, {align, reference_->direct_frames, reference_->median_depth});
   tracked.ok = tracked.switch_reason == SwitchReason::none;
@@ -58,13 +60,12 @@ TrackedFrame DirectTracker::track(const Frame& frame, const SE3d& T_cam_world_gu
   return tracked;
 }
 
-TrackedFrame DirectTracker::makeTracked(const AlignResult& align, const SE3d& T_ref_world) const {
+TrackedFrame DirectTracker::makeTracked(const AlignResult& align, const MapSnapshot& map) const {
   TrackedFrame tracked;
   tracked.tracker = TrackerKind::direct;
-  tracked.T_cam_world = align.T_cam_ref * T_ref_world;
-  tracked.pose = {reference_->pose.keyframe,
-                  align.T_cam_ref * reference_->pose.T_cam_key,
-                  reference_->pose.T_key_world};
+  tracked.pose = reference_->pose;
+  tracked.pose.T_cam_key = align.T_cam_ref * reference_->pose.T_cam_key;
+  tracked.T_cam_world = tracked.pose.T_cam_world(map);
   tracked.confidence = align.points > 0 ? static_cast<double>(align.inliers) / align.points : 0.0;
   tracked.stats.visible = align.visible;
   tracked.stats.inliers = align.inliers;

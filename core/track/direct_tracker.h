@@ -35,7 +35,7 @@ class DirectTracker {
     int direct_frames = 0;
   };
 
-  TrackedFrame makeTracked(const AlignResult& align, const SE3d& T_ref_world) const;
+  TrackedFrame makeTracked(const AlignResult& align, const MapSnapshot& map) const;
 
   Config::Direct config_;
   std::unique_ptr<Aligner> aligner_;
