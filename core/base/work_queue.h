@@ -9,7 +9,8 @@
 
 namespace glide {
 
-/// Bounded, closable queue between threads: producers never block, one consumer waits.
+/// Bounded, closable queue between threads; one consumer waits. Producers choose whether they wait
+/// for room (push) or not (tryPush).
 template <class T>
 class WorkQueue {
  public:
@@ -22,6 +23,21 @@ class WorkQueue {
       if (closed_ || items_.size() >= capacity_) return false;
       items_.push_back(std::move(item));
       ++pending_;
+      ++pushed_;
+    }
+    ready_.notify_one();
+    return true;
+  }
+
+  /// Waits for room. False, and `item` untouched, when the queue is closed.
+  bool push(T& item) {
+    {
+      std::unique_lock lock(mutex_);
+      room_.wait(lock, [&] { return closed_ || items_.size() < capacity_; });
+      if (closed_) return false;
+      items_.push_back(std::move(item));
+      ++pending_;
+      ++pushed_;
     }
     ready_.notify_one();
     return true;
@@ -34,6 +50,8 @@ class WorkQueue {
     if (items_.empty()) return std::nullopt;
     std::optional<T> item(std::move(items_.front()));
     items_.pop_front();
+    lock.unlock();
+    room_.notify_one();
     return item;
   }
 
@@ -52,10 +70,10 @@ class WorkQueue {
     idle_.wait(lock, [&] { return closed_ || pending_ == 0; });
   }
 
-  /// Everything pushed so far is done.
-  bool isIdle() const {
+  /// Items ever pushed: tells whether something came in between two looks.
+  std::size_t pushed() const {
     const std::lock_guard lock(mutex_);
-    return pending_ == 0;
+    return pushed_;
   }
 
   /// Items that wait; the one being worked on does not count.
@@ -72,15 +90,16 @@ class WorkQueue {
       items_.clear();
     }
     ready_.notify_all();
+    room_.notify_all();
     idle_.notify_all();
   }
 
  private:
   const std::size_t capacity_;
   mutable std::mutex mutex_;
-  std::condition_variable ready_, idle_;
+  std::condition_variable ready_, room_, idle_;
   std::deque<T> items_;
-  std::size_t pending_ = 0;
+  std::size_t pending_ = 0, pushed_ = 0;
   bool closed_ = false;
 };
 

@@ -52,6 +52,7 @@ class MapSnapshot {
   struct Parts {
     std::uint64_t revision = 0;
     std::uint64_t generation = 0;          ///< see generation()
+    std::uint64_t corrections = 0;         ///< see corrections()
     std::vector<KeyframeEntry> keyframes;  ///< ascending id
     std::vector<LandmarkEntry> landmarks;  ///< ascending id
     std::vector<RetiredEntry> retired;     ///< ascending id
@@ -65,6 +66,8 @@ class MapSnapshot {
   /// Changes when the map is replaced by another (a new start, a file): ids begin to mean something
   /// else.
   std::uint64_t generation() const { return parts_.generation; }
+  /// Counts loop corrections and global adjustments: the world has moved under the camera.
+  std::uint64_t corrections() const { return parts_.corrections; }
   bool empty() const { return parts_.keyframes.empty(); }
   const std::vector<KeyframeEntry>& keyframes() const { return parts_.keyframes; }
   const std::vector<LandmarkEntry>& landmarks() const { return parts_.landmarks; }

@@ -106,7 +106,13 @@ struct KeyframeMapped {
   KeyframeId id;
 };
 
-using LoopMessage = std::variant<KeyframeMapped, RelocalizationQuery>;
+/// A loop correction was applied: adjust the whole map.
+struct LoopClosed {};
+
+/// Another map took the place of the one before.
+struct MapReplaced {};
+
+using LoopMessage = std::variant<KeyframeMapped, RelocalizationQuery, LoopClosed, MapReplaced>;
 
 /// Where a lost frame was, as far as one keyframe's landmarks tell.
 struct Relocalization {

@@ -63,6 +63,7 @@ std::shared_ptr<const MapSnapshot> snapshotOf(const Map& map, const SnapshotStam
   return std::make_shared<const MapSnapshot>(
       MapSnapshot::Parts{stamp.revision,
                          stamp.generation,
+                         stamp.corrections,
                          keyframeEntries(map, stamp.min_covisibility),
                          landmarkEntries(map),
                          retiredEntries(map),

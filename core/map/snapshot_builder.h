@@ -11,6 +11,7 @@ namespace glide {
 struct SnapshotStamp {
   std::uint64_t revision = 0;
   std::uint64_t generation = 0;
+  std::uint64_t corrections = 0;
   int min_covisibility = 1;
 };
 

@@ -30,6 +30,7 @@ struct LocalMapper::Impl {
   RecentLandmarks recent;
   std::uint64_t revision = 0;
   std::uint64_t generation = 0;
+  std::uint64_t corrections = 0;
   Published<MapSnapshot>* const published;
 
   Impl(const Config& config, const CameraModel& camera, Published<MapSnapshot>* published_in)
@@ -53,6 +54,7 @@ struct LocalMapper::Impl {
   }
 
   void process(const LoopCorrection& message, const std::atomic<bool>* interrupt) {
+    ++corrections;
     applyCorrection(message, &state.map);
     if (state.map.keyframe(message.edge.newer) != nullptr)
       fuseAround(&state, message.edge.newer, interrupt);
@@ -60,6 +62,7 @@ struct LocalMapper::Impl {
   }
 
   void process(const GlobalAdjustment& message, const std::atomic<bool>*) {
+    ++corrections;
     applyAdjustment(message, &state.map);
     publish();
   }
@@ -98,8 +101,8 @@ struct LocalMapper::Impl {
   }
 
   void publish() {
-    published->store(
-        snapshotOf(state.map, {++revision, generation, state.config.mapping.min_covisibility}));
+    published->store(snapshotOf(
+        state.map, {++revision, generation, corrections, state.config.mapping.min_covisibility}));
   }
 };
 

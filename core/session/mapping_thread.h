@@ -7,43 +7,52 @@
 #include "base/worker.h"
 
 #include <atomic>
-#include <memory>
+#include <functional>
 #include <optional>
 
 namespace glide {
 
-/// Runs the LocalMapper on its own thread, or inside offer() when the execution is inline: the same
-/// code, without threads and therefore repeatable. Made, used and destroyed by the thread that
-/// calls update().
+/// Runs the LocalMapper on its own thread, or inside the calls when the execution is inline: the
+/// same code, without threads and therefore repeatable.
 class MappingThread {
  public:
-  MappingThread(const Config& config, const CameraModel& camera);
-  ~MappingThread();
+  /// `published` gets every revision of the map and outlives this. `follow_up` is called on the
+  /// mapping thread with what a message means for the loop thread; it must not block.
+  MappingThread(const Config& config,
+                const CameraModel& camera,
+                Published<MapSnapshot>* published,
+                std::function<void(LoopMessage)> follow_up);
+  ~MappingThread() { stop(); }
 
-  /// Hands a message over; false, and nothing happens, when the mapper is too far behind.
-  /// Milliseconds spent here go to `inline_ms` (zero when threaded).
-  bool offer(MappingMessage message, double* inline_ms);
+  /// Hands a message over; false, and nothing happens, when the mapper is too far behind. Any
+  /// thread.
+  bool offer(MappingMessage message);
 
-  /// Nothing waits and nothing is being worked on.
-  bool isIdle() const { return queue_.isIdle(); }
+  /// Hands over what must not be lost: waits until there is room. Any thread but the mapping one.
+  void send(MappingMessage message);
 
-  std::shared_ptr<const MapSnapshot> snapshot() const { return published_.load(); }
-
-  /// Blocks until everything offered is mapped.
+  /// Blocks until everything handed over is mapped, or the thread is stopped.
   void waitIdle();
+  std::size_t received() const { return queue_.pushed(); }  ///< messages so far
+
+  /// No more messages are taken, waiting ones are dropped, running work ends early.
+  void close();
+  /// close(), then waits for the thread to end. By the owner.
+  void stop();
 
  private:
   void run();
+  void process(const MappingMessage& message, const std::atomic<bool>* interrupt);
 
   // Any thread.
-  Published<MapSnapshot> published_;
   WorkQueue<MappingMessage> queue_;
   std::atomic<bool> interrupt_{false};
+  const std::function<void(LoopMessage)> follow_up_;
 
-  // The mapping thread, or the owner's when inline.
+  // The mapping thread, or the caller's when inline.
   LocalMapper mapper_;
 
-  // The owner's thread. Last, so that it is joined before anything else dies.
+  // The owner's thread.
   std::optional<Worker> worker_;
 };
 

@@ -42,6 +42,42 @@ std::shared_ptr<const MapView> Session::map() const {
   return buildMapView(*impl_->snapshot(), impl_->resets());
 }
 
+LocatedCamera Session::locate(std::int64_t t_ns) const { return impl_->locate(t_ns); }
+
+void Session::reset() { impl_->reset(); }
+void Session::pause() { impl_->pause(); }
+void Session::resume() { impl_->resume(); }
+
+Status Session::saveMap(const std::filesystem::path& path) const try {
+  return writeFileAtomically(path, encodeMap(impl_->stored()));
+} catch (const std::exception& exception) {
+  return Error{ErrorCode::internal, std::string("Session::saveMap: ") + exception.what()};
+}
+
+Result<std::vector<std::byte>> Session::saveMap() const try {
+  return encodeMap(impl_->stored());
+} catch (const std::exception& exception) {
+  return Error{ErrorCode::internal, std::string("Session::saveMap: ") + exception.what()};
+}
+
+Status Session::loadMap(const std::filesystem::path& path) try {
+  const Result<std::vector<std::byte>> bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  Status loaded = loadMap(std::span<const std::byte>(*bytes));
+  if (!loaded) return Error{loaded.error().code, path.string() + ": " + loaded.error().message};
+  return loaded;
+} catch (const std::exception& exception) {
+  return Error{ErrorCode::internal, std::string("Session::loadMap: ") + exception.what()};
+}
+
+Status Session::loadMap(std::span<const std::byte> bytes) try {
+  const Result<StoredMap> stored = decodeMap(bytes);
+  if (!stored) return stored.error();
+  return impl_->restore(*stored);
+} catch (const std::exception& exception) {
+  return Error{ErrorCode::internal, std::string("Session::loadMap: ") + exception.what()};
+}
+
 void Session::waitForMapping() { impl_->waitForMapping(); }
 
 BackendInfo Session::backend() const { return impl_->backend(); }

@@ -1,6 +1,6 @@
 #include "session/session_impl.h"
 
-#include "session/pose_conversion.h"
+#include "session/frame_report.h"
 #include "track/keyframe_policy.h"
 
 #include "base/stopwatch.h"
@@ -20,6 +20,8 @@ constexpr int kLostFramesBeforeReset = 5;
 
 Error invalid(const std::string& what) { return {ErrorCode::invalid_argument, what}; }
 
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::min();
+
 double distanceToReference(const TrackedFrame& tracked) {
   return tracked.pose.T_cam_key.inverse().t.norm() / std::max(tracked.median_depth, 1e-9);
 }
@@ -30,10 +32,13 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
     : config_(config),
       camera_(camera),
       backend_(aligner.info),
-      mapping_(config, camera),
+      back_end_(config, camera),
+      timeline_(std::make_shared<const PoseTimeline>()),
       indirect_(config, camera),
       initializer_(config, camera),
-      last_t_ns_(std::numeric_limits<std::int64_t>::min()) {
+      last_map_(back_end_.snapshot()),
+      last_t_ns_(kNever),
+      used_answer_t_ns_(kNever) {
   if (config.tracker == TrackerMode::hybrid)
     direct_.emplace(config.direct, std::move(aligner.aligner));
 }
@@ -56,64 +61,24 @@ Status Session::Impl::check(const FrameInput& input) const {
 FrameResult Session::Impl::update(const FrameInput& input) {
   Stopwatch watch;
   last_t_ns_ = input.t_ns;
+  if (is_paused_) return pausedResult(input.t_ns);
   const Luma& image = input.image;
   const Frame frame{
-      input.t_ns, {image.pixels, image.width, image.height, image.stride}, mapping_.snapshot()};
+      input.t_ns, {image.pixels, image.width, image.height, image.stride}, back_end_.snapshot()};
+  const std::optional<WorldCorrection> correction =
+      correctionBetween(*last_map_, *frame.map, last_pose_);
+  last_map_ = frame.map;
   FrameResult result;
   if (!last_keyframe_) {
-    result = initialize(frame);
+    result = isMapping() ? initialize(frame) : toResult(frame, TrackedFrame());
   } else if (isMapPending(frame)) {
     result = waitForMap(frame);
   } else {
     result = track(frame);
   }
+  result.correction = correction;
+  remember(frame, result);
   result.stats.update_ms = watch.lapMs() - result.stats.mapping_ms;
-  return result;
-}
-
-FrameResult Session::Impl::initialize(const Frame& frame) {
-  TrackedFrame tracked;
-  Stopwatch watch;
-  tracked.features = indirect_.extract(frame.luma, config_.features.initialization_count);
-  tracked.stats.features_ms = watch.lapMs();
-  std::optional<InitialMap> start = initializer_.update(frame.t_ns, tracked.features);
-  tracked.stats.pose_ms = watch.lapMs();
-  if (start) startMap(frame, std::move(*start), &tracked);
-  FrameResult result = toResult(frame, tracked);
-  result.initialization = initializer_.progress();
-  if (tracked.ok) initializer_.reset();
-  return result;
-}
-
-void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked) {
-  start.a.id = KeyframeId{next_keyframe_id_++};
-  start.b.id = KeyframeId{next_keyframe_id_++};
-  map_start_ = start.a.id;
-  tracked->pose = {start.b.id, SE3d{}, start.b.T_cam_world};
-  tracked->stats.visible = tracked->stats.inliers = static_cast<int>(start.points.size());
-  tracked->ok = mapping_.offer(std::move(start), &tracked->stats.mapping_ms);
-  if (!tracked->ok)
-    return;  // the mapper still works on the map that was given up: try the next frame
-  tracked->tracker = TrackerKind::indirect;
-  tracked->confidence = 1.0;
-  tracked->stats.keyframe = true;
-  const std::shared_ptr<const MapSnapshot> map = mapping_.snapshot();
-  tracked->T_cam_world = tracked->pose.T_cam_world(*map);
-  last_keyframe_ = LastKeyframe{tracked->pose.keyframe, 0};
-  last_pose_ = tracked->pose;
-  lost_frames_ = 0;
-  motion_.reset();
-  motion_.update(frame.t_ns, tracked->pose, *map);
-}
-
-bool Session::Impl::isMapPending(const Frame& frame) const {
-  return !frame.map->T_cam_world(map_start_).has_value();
-}
-
-FrameResult Session::Impl::waitForMap(const Frame& frame) const {
-  FrameResult result = toResult(frame, TrackedFrame());
-  result.state = TrackingState::initializing;
-  result.initialization.status = InitializationStatus::done;
   return result;
 }
 
@@ -122,6 +87,7 @@ FrameResult Session::Impl::track(const Frame& frame) {  // the schedule of the p
       motion_.predict(frame.t_ns, *frame.map).value_or(last_pose_.T_cam_world(*frame.map));
   TrackedFrame tracked = trackDirect(frame, T_cam_world_guess);
   if (!tracked.ok) tracked = trackIndirect(frame, tracked);
+  if (!tracked.ok) tracked = relocalize(frame, tracked);
   if (tracked.ok) {
     onTracked(frame, &tracked);
   } else {
@@ -143,6 +109,7 @@ TrackedFrame Session::Impl::trackDirect(const Frame& frame, const SE3d& T_cam_wo
 TrackedFrame Session::Impl::trackIndirect(const Frame& frame, const TrackedFrame& direct) {
   IndirectGuess guess{direct.T_cam_world, GuessQuality::predicted, last_pose_.keyframe};
   if (direct.tracker == TrackerKind::direct) guess.quality = GuessQuality::aligned;
+  if (lost_frames_ > 0) guess.quality = GuessQuality::lost;
   TrackedFrame tracked = indirect_.track(frame, guess);
   tracked.switch_reason = direct.switch_reason;
   tracked.stats.pyramid_ms = direct.stats.pyramid_ms;
@@ -150,12 +117,40 @@ TrackedFrame Session::Impl::trackIndirect(const Frame& frame, const TrackedFrame
   return tracked;
 }
 
+TrackedFrame Session::Impl::relocalize(const Frame& frame, const TrackedFrame& lost) {
+  if (std::optional<TrackedFrame> found = tryAnswer(frame, lost)) return *found;
+  Stopwatch watch;
+  const bool is_asked = back_end_.ask({frame.t_ns, lost.features});
+  TrackedFrame result = lost;
+  result.stats.mapping_ms += inlineMs(&watch);
+  if (!is_asked) return result;
+  // Inline execution has the answer already; a thread has it for a later frame.
+  return tryAnswer(frame, result).value_or(result);
+}
+
+std::optional<TrackedFrame> Session::Impl::tryAnswer(const Frame& frame, const TrackedFrame& lost) {
+  const std::shared_ptr<const RelocalizationAnswer> answer = back_end_.answer();
+  if (!answer || !answer->found || answer->t_ns <= used_answer_t_ns_) return std::nullopt;
+  used_answer_t_ns_ = answer->t_ns;
+  const Relocalization& found = *answer->found;
+  if (frame.map->keyframe(found.keyframe) == nullptr) return std::nullopt;
+  const AnchoredPose pose{found.keyframe, found.T_cam_key, found.key_scale, SE3d{}};
+  const IndirectGuess guess{pose.T_cam_world(*frame.map), GuessQuality::lost, found.keyframe};
+  TrackedFrame tracked = indirect_.track(frame, lost.features, guess);
+  if (!tracked.ok) return std::nullopt;
+  tracked.switch_reason = lost.switch_reason;
+  addTimes(lost.stats, &tracked.stats);
+  return tracked;
+}
+
 void Session::Impl::onTracked(const Frame& frame, TrackedFrame* tracked) {
   lost_frames_ = 0;
   ++last_keyframe_->frames_since;
   if (tracked->tracker == TrackerKind::indirect) {
-    countSightings(*tracked);
-    offerKeyframe(frame, tracked);
+    if (isMapping()) {
+      countSightings(*tracked);
+      offerKeyframe(frame, tracked);
+    }
     if (direct_) tracked->stats.precompute_ms = direct_->refreshReference(frame, *tracked);
   }
   motion_.update(frame.t_ns, tracked->pose, *frame.map);
@@ -179,12 +174,14 @@ void Session::Impl::offerKeyframe(const Frame& frame, TrackedFrame* tracked) {
   if (!wantsKeyframe(config_.keyframes, evidence)) return;
   NewKeyframe keyframe = makeKeyframe(frame, *tracked);
   const KeyframeId id = keyframe.id;
-  tracked->stats.keyframe = mapping_.offer(std::move(keyframe), &tracked->stats.mapping_ms);
+  Stopwatch watch;
+  tracked->stats.keyframe = back_end_.offer(std::move(keyframe));
+  tracked->stats.mapping_ms += inlineMs(&watch);
   if (!tracked->stats.keyframe) return;
   ++next_keyframe_id_;
   last_keyframe_ = LastKeyframe{id, 0};
   sightings_.clear();
-  tracked->pose = {id, SE3d{}, tracked->T_cam_world};
+  tracked->pose = {id, SE3d{}, 1.0, tracked->T_cam_world};
 }
 
 NewKeyframe Session::Impl::makeKeyframe(const Frame& frame, const TrackedFrame& tracked) {
@@ -194,6 +191,7 @@ NewKeyframe Session::Impl::makeKeyframe(const Frame& frame, const TrackedFrame& 
   keyframe.features = tracked.features;
   keyframe.reference = tracked.pose.keyframe;
   keyframe.T_cam_ref = tracked.pose.T_cam_key;
+  keyframe.reference_scale = tracked.pose.key_scale;
   keyframe.landmarks = tracked.landmarks;
   for (const auto& [id, sighting] : sightings_) keyframe.sightings.push_back(sighting);
   std::sort(keyframe.sightings.begin(), keyframe.sightings.end(), [](const auto& a, const auto& b) {
@@ -206,34 +204,57 @@ void Session::Impl::onLost() {
   motion_.stop();
   if (direct_) direct_->dropReference();
   ++lost_frames_;
-  const bool tiny = mapping_.snapshot()->keyframes().size() < kTinyMapKeyframes;
-  if (!tiny || lost_frames_ < kLostFramesBeforeReset) return;
+  const bool tiny = back_end_.snapshot()->keyframes().size() < kTinyMapKeyframes;
+  if (!tiny || lost_frames_ < kLostFramesBeforeReset || !isMapping()) return;
+  forgetMap();
+  ++resets_;
+}
+
+void Session::Impl::forgetMap() {
   last_keyframe_.reset();
   sightings_.clear();
-  ++resets_;
+  motion_.reset();
+  if (direct_) direct_->dropReference();
+  lost_frames_ = 0;
+}
+
+FrameResult Session::Impl::pausedResult(std::int64_t t_ns) const {
+  FrameResult result;
+  result.t_ns = t_ns;
+  result.state = TrackingState::paused;
+  describePose(last_pose_, *back_end_.snapshot(), &result);
+  return result;
 }
 
 FrameResult Session::Impl::toResult(const Frame& frame, const TrackedFrame& tracked) const {
   FrameResult result;
   result.t_ns = frame.t_ns;
-  result.tracker = tracked.tracker;
   result.switch_reason = tracked.switch_reason;
   result.stats = tracked.stats;
-  result.map_revision = mapping_.snapshot()->revision();
   if (tracked.ok) {
     result.state = TrackingState::tracking;
+    result.tracker = tracked.tracker;
     result.confidence = tracked.confidence;
+    describePose(tracked.pose, *frame.map, &result);
     result.T_world_cam = toPose(tracked.T_cam_world.inverse());
-    result.reference_keyframe = tracked.pose.keyframe.value;
-    result.T_ref_cam = toPose(tracked.pose.T_cam_key.inverse());
-    return result;
+  } else {
+    const bool is_lost = last_keyframe_ || !isMapping();
+    result.state = is_lost ? TrackingState::lost : TrackingState::initializing;
+    describePose(last_pose_, *frame.map, &result);
   }
-  result.tracker = TrackerKind::none;
-  result.state = last_keyframe_ ? TrackingState::lost : TrackingState::initializing;
-  result.T_world_cam = toPose(last_pose_.T_cam_world(*frame.map).inverse());
-  result.reference_keyframe = last_pose_.keyframe.value;
-  result.T_ref_cam = toPose(last_pose_.T_cam_key.inverse());
+  result.map_revision = back_end_.snapshot()->revision();
   return result;
+}
+
+void Session::Impl::remember(const Frame& frame, const FrameResult& result) {
+  if (!last_keyframe_) return;
+  const bool is_tracked = result.state == TrackingState::tracking;
+  timeline_.store(std::make_shared<const PoseTimeline>(
+      timeline_.load()->with({frame.t_ns, is_tracked, last_pose_})));
+}
+
+double Session::Impl::inlineMs(Stopwatch* watch) const {
+  return config_.execution == Execution::inline_ ? watch->lapMs() : 0.0;
 }
 
 }  // namespace glide

@@ -1,11 +1,16 @@
 #pragma once
 
 #include "session/aligner_factory.h"
-#include "session/mapping_thread.h"
+#include "session/back_end.h"
+#include "session/pose_timeline.h"
 #include "track/direct_tracker.h"
 #include "track/indirect_tracker.h"
 #include "track/initializer.h"
 #include "track/motion_model.h"
+
+#include "map/map_io.h"
+
+#include "base/stopwatch.h"
 
 #include "glide/session.h"
 
@@ -17,8 +22,8 @@
 
 namespace glide {
 
-/// The trackers and the mapper of one session. Belongs to the thread that calls update(), but for
-/// snapshot() and resets(), which any thread may call.
+/// The trackers and the back end of one session. Belongs to the thread that calls update(), but for
+/// snapshot(), stored(), resets() and locate(), which any thread may call.
 class Session::Impl {
  public:
   Impl(const Config& config, const CameraModel& camera, ChosenAligner aligner);
@@ -27,9 +32,18 @@ class Session::Impl {
   Status check(const FrameInput& input) const;
   FrameResult update(const FrameInput& input);
 
-  std::shared_ptr<const MapSnapshot> snapshot() const { return mapping_.snapshot(); }
+  void reset();
+  void pause();
+  void resume();
+  /// Takes a map from a file; invalid_argument when it was made with another camera.
+  Status restore(const StoredMap& stored);
+
+  std::shared_ptr<const MapSnapshot> snapshot() const { return back_end_.snapshot(); }
+  StoredMap stored() const;
   std::uint64_t resets() const { return resets_.load(); }
-  void waitForMapping() { mapping_.waitIdle(); }
+  LocatedCamera locate(std::int64_t t_ns) const { return timeline_.load()->at(t_ns, *snapshot()); }
+
+  void waitForMapping() { back_end_.waitIdle(); }
   const BackendInfo& backend() const { return backend_; }
 
  private:
@@ -39,6 +53,7 @@ class Session::Impl {
     int frames_since = 0;
   };
 
+  bool isMapping() const { return config_.mode == SessionMode::slam; }
   FrameResult initialize(const Frame& frame);
   void startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked);
   /// The mapper has not published the map that was started last.
@@ -47,30 +62,43 @@ class Session::Impl {
   FrameResult track(const Frame& frame);
   TrackedFrame trackDirect(const Frame& frame, const SE3d& T_cam_world_guess);
   TrackedFrame trackIndirect(const Frame& frame, const TrackedFrame& direct);
+  /// Asks the loop thread where the frame is, and tries its last answer.
+  TrackedFrame relocalize(const Frame& frame, const TrackedFrame& lost);
+  std::optional<TrackedFrame> tryAnswer(const Frame& frame, const TrackedFrame& lost);
   void onTracked(const Frame& frame, TrackedFrame* tracked);
   void offerKeyframe(const Frame& frame, TrackedFrame* tracked);
   void onLost();
+  void forgetMap();
   void countSightings(const TrackedFrame& tracked);
   NewKeyframe makeKeyframe(const Frame& frame, const TrackedFrame& tracked);
+  FrameResult pausedResult(std::int64_t t_ns) const;
   FrameResult toResult(const Frame& frame, const TrackedFrame& tracked) const;
+  /// For locate().
+  void remember(const Frame& frame, const FrameResult& result);
+  /// Time since the last lap when the back end works inside update(), else zero.
+  double inlineMs(Stopwatch* watch) const;
 
   const Config config_;
   const CameraModel camera_;
   const BackendInfo backend_;
-  MappingThread mapping_;
+  BackEnd back_end_;
   std::atomic<std::uint64_t> resets_{0};
+  Published<PoseTimeline> timeline_;
 
   // The thread of update().
   std::optional<DirectTracker> direct_;  ///< none in TrackerMode::indirect
   IndirectTracker indirect_;
   Initializer initializer_;
   MotionModel motion_;
-  std::optional<LastKeyframe> last_keyframe_;  ///< none before a map is started
+  std::optional<LastKeyframe> last_keyframe_;  ///< none before there is a map
   KeyframeId map_start_;                       ///< first keyframe of that map
   AnchoredPose last_pose_;
+  std::shared_ptr<const MapSnapshot> last_map_;  ///< of the frame before
   std::int64_t last_t_ns_;
+  std::int64_t used_answer_t_ns_;  ///< of the relocalisation that was tried last
   std::uint64_t next_keyframe_id_ = 0;
   int lost_frames_ = 0;
+  bool is_paused_ = false;
   std::unordered_map<LandmarkId, LandmarkSighting> sightings_;  ///< since the last keyframe
 };
 

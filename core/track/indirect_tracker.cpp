@@ -22,6 +22,9 @@ constexpr double kRetryWindow = 6.0;
 constexpr double kRefinedWindow = 0.7;
 // Matches that make a first pose worth refining with the whole local map.
 constexpr int kMinFirstMatches = 15;
+// After a loss any place is possible: twice the evidence, and much of what should be in view.
+constexpr int kLostInlierFactor = 2;
+constexpr double kMinLostConfidence = 0.25;
 constexpr LocalMapLimits kLocal{20, 2500};
 constexpr MatchOptions kRecoveryMatch{60, 0.8, true};
 
@@ -43,27 +46,44 @@ std::shared_ptr<const FeatureSet> IndirectTracker::extract(const ImageViewU8& lu
 }
 
 TrackedFrame IndirectTracker::track(const Frame& frame, const IndirectGuess& guess) {
+  Stopwatch watch;
+  const auto features = extract(frame.luma, config_.features.count);
+  const double features_ms = watch.lapMs();
+  TrackedFrame tracked = track(frame, features, guess);
+  tracked.stats.features_ms = features_ms;
+  return tracked;
+}
+
+TrackedFrame IndirectTracker::track(const Frame& frame,
+                                    const std::shared_ptr<const FeatureSet>& features,
+                                    const IndirectGuess& guess) {
   TrackedFrame tracked;
   tracked.T_cam_world = guess.T_cam_world;
+  tracked.features = features;
   Stopwatch watch;
-  tracked.features = extract(frame.luma, config_.features.count);
-  tracked.stats.features_ms = watch.lapMs();
-
   search_.beginFrame();
-  Attempt attempt = searchAround(frame, *tracked.features, guess);
-  if (attempt.matches.count < kMinFirstMatches) attempt = recover(frame, *tracked.features, guess);
+  Attempt attempt = searchAround(frame, *features, guess);
+  if (attempt.matches.count < kMinFirstMatches) attempt = recover(frame, *features, guess);
   tracked.stats.pose_ms = watch.lapMs();
   if (attempt.matches.count < kMinFirstMatches || !attempt.pose.valid) return tracked;
 
-  const LocalMap local = widen(frame, *tracked.features, &attempt);
+  const LocalMap local = widen(frame, *features, &attempt);
   tracked.stats.match_ms = watch.lapMs();
-  attempt.pose = search_.refine(attempt.pose.T_cam_world, *tracked.features, &attempt.matches);
-  if (attempt.pose.valid) tracked.features = alignCorners(frame, tracked.features, &attempt);
+  attempt.pose = search_.refine(attempt.pose.T_cam_world, *features, &attempt.matches);
+  if (attempt.pose.valid) tracked.features = alignCorners(frame, features, &attempt);
   tracked.stats.pose_ms += watch.lapMs();
   if (!attempt.pose.valid) return tracked;
   report(frame, attempt, local, &tracked);
+  tracked.ok = isEnough(tracked, guess.quality);
   if (tracked.ok) recent_ = tracked.landmarks;
   return tracked;
+}
+
+bool IndirectTracker::isEnough(const TrackedFrame& tracked, GuessQuality quality) const {
+  const int needed = config_.indirect.min_inliers;
+  if (quality != GuessQuality::lost) return tracked.tracked_landmarks >= needed;
+  return tracked.tracked_landmarks >= kLostInlierFactor * needed &&
+         tracked.confidence >= kMinLostConfidence;
 }
 
 LocalMap IndirectTracker::widen(const Frame& frame, const FeatureSet& features, Attempt* attempt) {
@@ -92,18 +112,25 @@ std::shared_ptr<const FeatureSet> IndirectTracker::alignCorners(
   return aligned;
 }
 
+std::vector<const MapSnapshot::LandmarkEntry*> IndirectTracker::seeds(
+    const MapSnapshot& map, const IndirectGuess& guess) const {
+  const MapSnapshot::KeyframeEntry* reference = map.keyframe(guess.reference);
+  if (guess.quality == GuessQuality::lost && reference != nullptr)
+    return collectLocalMap(map, reference->landmarks, kLocal).landmarks;
+  std::vector<const MapSnapshot::LandmarkEntry*> recent = landmarksOf(map, recent_);
+  if (static_cast<int>(recent.size()) >= 2 * config_.indirect.min_inliers || reference == nullptr)
+    return recent;
+  return landmarksOf(map, reference->landmarks);
+}
+
 IndirectTracker::Attempt IndirectTracker::searchAround(const Frame& frame,
                                                        const FeatureSet& features,
                                                        const IndirectGuess& guess) {
-  std::vector<const MapSnapshot::LandmarkEntry*> seeds = landmarksOf(*frame.map, recent_);
-  const MapSnapshot::KeyframeEntry* reference = frame.map->keyframe(guess.reference);
-  if (static_cast<int>(seeds.size()) < 2 * config_.indirect.min_inliers && reference != nullptr)
-    seeds = landmarksOf(*frame.map, reference->landmarks);
-
+  const std::vector<const MapSnapshot::LandmarkEntry*> first = seeds(*frame.map, guess);
   Attempt attempt;
   for (const double window : {windowOf(guess.quality), kRetryWindow}) {
     attempt = Attempt();
-    search_.extend(seeds,
+    search_.extend(first,
                    features,
                    {guess.T_cam_world,
                     window * config_.indirect.search_radius_px,
@@ -157,7 +184,6 @@ void IndirectTracker::report(const Frame& frame,
   tracked->tracker = TrackerKind::indirect;
   tracked->T_cam_world = attempt.pose.T_cam_world;
   tracked->pose = anchorTo(local.reference, attempt.pose.T_cam_world, *frame.map);
-  tracked->ok = attempt.matches.count >= config_.indirect.min_inliers;
   tracked->tracked_landmarks = attempt.matches.count;
   tracked->reference_landmarks = local.reference_landmarks;
   tracked->stats.inliers = attempt.matches.count;

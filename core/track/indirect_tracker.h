@@ -16,7 +16,7 @@ namespace glide {
 enum class GuessQuality {
   aligned,    ///< by the direct tracker: a few pixels
   predicted,  ///< by the motion model: tens of pixels
-  lost,       ///< unknown: recovery by descriptors against the last reference keyframe
+  lost,       ///< frames were lost since: it may be anywhere, and is believed on more evidence only
 };
 
 /// What the indirect tracker starts from.
@@ -32,9 +32,14 @@ class IndirectTracker {
  public:
   IndirectTracker(const Config& config, const CameraModel& camera);
 
-  /// ok when enough landmarks agree with the pose; then features, landmarks and sightings are
-  /// filled.
+  /// Extracts the features and tracks them.
   TrackedFrame track(const Frame& frame, const IndirectGuess& guess);
+
+  /// Tracks features that are there already. ok when enough landmarks agree with the pose; then
+  /// landmarks and sightings are filled.
+  TrackedFrame track(const Frame& frame,
+                     const std::shared_ptr<const FeatureSet>& features,
+                     const IndirectGuess& guess);
 
   /// Features alone, for the initializer.
   std::shared_ptr<const FeatureSet> extract(const ImageViewU8& luma, int count);
@@ -53,6 +58,10 @@ class IndirectTracker {
   std::shared_ptr<const FeatureSet> alignCorners(const Frame& frame,
                                                  const std::shared_ptr<const FeatureSet>& features,
                                                  Attempt* attempt) const;
+  /// Landmarks to look for first.
+  std::vector<const MapSnapshot::LandmarkEntry*> seeds(const MapSnapshot& map,
+                                                       const IndirectGuess& guess) const;
+  bool isEnough(const TrackedFrame& tracked, GuessQuality quality) const;
   void report(const Frame& frame,
               const Attempt& attempt,
               const LocalMap& local,

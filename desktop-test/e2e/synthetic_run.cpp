@@ -109,19 +109,20 @@ double directShare(const Playback& run) {
 }
 
 Evaluation evaluate(const Playback& run) {
-  std::map<std::uint64_t, SE3d> T_world_key;
+  std::map<std::uint64_t, const MapView::Keyframe*> keys;
   if (run.map) {
-    for (const MapView::Keyframe& keyframe : run.map->keyframes)
-      T_world_key[keyframe.id] = toSE3(keyframe.T_world_cam);
+    for (const MapView::Keyframe& keyframe : run.map->keyframes) keys[keyframe.id] = &keyframe;
   }
   std::vector<Vec3d> truth;
   std::vector<Vec3d> estimate;
   for (std::size_t i = 0; i < run.results.size(); ++i) {
     const FrameResult& result = run.results[i];
-    const auto reference = T_world_key.find(result.reference_keyframe);
-    if (!isTracked(result) || reference == T_world_key.end()) continue;
+    const auto reference = keys.find(result.reference_keyframe);
+    if (!isTracked(result) || reference == keys.end()) continue;
     truth.push_back(run.T_world_cam_truth[i].t);
-    estimate.push_back((reference->second * toSE3(result.T_ref_cam)).t);
+    const MapView::Keyframe& key = *reference->second;
+    const Vec3d center_in_key = toSE3(result.T_ref_cam).t * (key.scale / result.reference_scale);
+    estimate.push_back(toSE3(key.T_world_cam) * center_in_key);
   }
   const std::optional<Sim3d> S = alignSim3(truth, estimate, AlignScale::estimated);
   if (!S) return {};

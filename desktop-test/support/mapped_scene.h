@@ -48,7 +48,7 @@ class MappedScene {
     return message.id;
   }
 
-  std::shared_ptr<const MapSnapshot> map() const { return snapshotOf(state.map, {1, 1, 15}); }
+  std::shared_ptr<const MapSnapshot> map() const { return snapshotOf(state.map, {1, 1, 0, 15}); }
   KeyframeId newest() const { return state.map.keyframes().rbegin()->first; }
   double keyframeError() const { return tracker.keyframeError(*map()); }
   double landmarkError() const { return tracker.landmarkError(*map()); }

@@ -43,10 +43,11 @@ constexpr std::array<EnumName<DistortionModel>, 3> enumNames(DistortionModel) {
            {DistortionModel::radial_tangential, "radial_tangential"},
            {DistortionModel::kannala_brandt4, "kannala_brandt4"}}};
 }
-constexpr std::array<EnumName<TrackingState>, 3> enumNames(TrackingState) {
+constexpr std::array<EnumName<TrackingState>, 4> enumNames(TrackingState) {
   return {{{TrackingState::initializing, "initializing"},
            {TrackingState::tracking, "tracking"},
-           {TrackingState::lost, "lost"}}};
+           {TrackingState::lost, "lost"},
+           {TrackingState::paused, "paused"}}};
 }
 constexpr std::array<EnumName<TrackerKind>, 3> enumNames(TrackerKind) {
   return {{{TrackerKind::none, "none"},

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace glide {
 
@@ -41,6 +42,23 @@ struct FrameStats {
   bool keyframe = false;  ///< this frame was handed to the mapper
 };
 
+/// The map was corrected (a loop was closed, or the whole map adjusted after one): how far that
+/// moved the camera in the world. Content that was placed relative to keyframes moves along; what
+/// was placed at world coordinates does not.
+struct WorldCorrection {
+  double translation = 0.0;   ///< distance between the camera before and after, scene units
+  double rotation_deg = 0.0;  ///< degrees
+  double scale = 1.0;         ///< lengths around the camera after over before
+};
+
+/// Where the camera was or will be at a time, from Session::locate.
+struct LocatedCamera {
+  std::int64_t t_ns = 0;
+  Pose T_world_cam;      ///< camera in world, scene units; the last known pose when not valid
+  bool valid = false;    ///< the pose is worth using
+  bool tracked = false;  ///< it rests on tracked frames around t_ns, not on a guess of the motion
+};
+
 /// The answer to one frame.
 struct FrameResult {
   std::int64_t t_ns = 0;
@@ -53,8 +71,12 @@ struct FrameResult {
   /// The same pose relative to a keyframe of the map: it stays right when the map is corrected.
   std::uint64_t reference_keyframe = 0;
   Pose T_ref_cam;
+  /// MapView::Keyframe::scale of the keyframe when T_ref_cam was measured. When it is another one
+  /// now, T_ref_cam's translation is to be multiplied by (scale now / reference_scale).
+  double reference_scale = 1.0;
   double confidence = 0.0;  ///< 0..1, share of agreeing landmarks, 0 unless tracking
   std::uint64_t map_revision = 0;
+  std::optional<WorldCorrection> correction;  ///< since the frame before
   InitializationProgress initialization;
   FrameStats stats;
 };

@@ -15,16 +15,24 @@ struct MapView {
     std::int64_t t_ns = 0;
     Pose T_world_cam;
     bool retired = false;  ///< Culled from the map; kept so that poses relative to it stay defined.
+    /// How much lengths in its camera frame have grown by corrections since it was made.
+    double scale = 1.0;
+    std::vector<std::uint64_t> covisible;  ///< ids of keyframes that share landmarks, best first
   };
   struct Landmark {
     std::uint64_t id = 0;
     std::array<double, 3> p_world{};
     int observations = 0;
   };
+  /// A place that was recognised: these two keyframes see the same landmarks.
+  struct Loop {
+    std::uint64_t newer = 0, older = 0;  ///< ids of keyframes
+  };
   std::uint64_t revision = 0;
   std::uint64_t resets = 0;         ///< How often the map was started over.
   std::vector<Keyframe> keyframes;  ///< by ascending id
   std::vector<Landmark> landmarks;  ///< by ascending id
+  std::vector<Loop> loops;          ///< in the order of closing
 };
 
 }  // namespace glide

@@ -6,8 +6,13 @@
 #include "glide/result.h"
 #include "glide/version.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace glide {
 
@@ -17,8 +22,9 @@ struct BackendInfo {
   std::string vendor, renderer, version;  ///< of the GL, empty on the CPU
 };
 
-/// Monocular SLAM: frames in, poses out. One thread calls update(); when the backend is gles, that
-/// thread has the same GL context current at create(), every update() and destruction.
+/// Monocular SLAM: frames in, poses out. One thread calls update() and everything else that is not
+/// marked "any thread"; when the backend is gles, that thread has the same GL context current at
+/// create(), every update() and destruction.
 class GLIDE_API Session {
  public:
   /// Checks the config (validate) and, for Backend::gles, the current context.
@@ -32,10 +38,37 @@ class GLIDE_API Session {
   /// pixels or a timestamp that does not increase is invalid_argument and changes nothing.
   Result<FrameResult> update(const FrameInput& frame);
 
-  /// A copy of the current map; never null.
+  /// Where the camera was at `t_ns` (the clock of FrameInput): interpolated within the last few
+  /// seconds, predicted up to 100 ms after the last frame, else not valid. Any thread.
+  LocatedCamera locate(std::int64_t t_ns) const;
+
+  /// A copy of the current map; never null. Any thread.
   std::shared_ptr<const MapView> map() const;
 
-  /// Blocks until every keyframe handed over so far is mapped (offline use: lossless replay).
+  /// Drops the map and starts over with the next frame.
+  void reset();
+
+  /// Until resume(), update() looks at no frame and answers TrackingState::paused; the map stays.
+  /// The camera may move meanwhile: it is found again by relocalisation if need be.
+  void pause();
+  void resume();
+
+  /// Writes the map as it is now to `path`, under a temporary name first: the file is whole or not
+  /// there. Format: docs/map-format.md. io when it cannot be written. Any thread; does not hold up
+  /// update().
+  Status saveMap(const std::filesystem::path& path) const;
+  /// The bytes that saveMap would write. Any thread.
+  Result<std::vector<std::byte>> saveMap() const;
+
+  /// Takes the place of the present map; the camera is lost until it is recognised in it, and poses
+  /// are in the loaded map's frame from then on. io when the file cannot be read or is no sound
+  /// map, invalid_argument when it was made with another camera or other feature levels; then
+  /// nothing is changed.
+  Status loadMap(const std::filesystem::path& path);
+  Status loadMap(std::span<const std::byte> bytes);
+
+  /// Blocks until every keyframe handed over so far is mapped, and loops that this closed are
+  /// worked in (offline use: lossless replay).
   void waitForMapping();
 
   BackendInfo backend() const;

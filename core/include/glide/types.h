@@ -35,6 +35,7 @@ enum class TrackingState {
   initializing,  ///< No map yet; FrameResult::initialization says why not.
   tracking,      ///< The pose of this frame is known.
   lost,          ///< There is a map, but this frame could not be placed in it.
+  paused,        ///< Session::pause was called; frames are not looked at.
 };
 
 /// Who made the pose of a frame.

@@ -25,9 +25,13 @@ SE3d toSE3(const Pose& pose) {
 
 RunTrajectories buildTrajectories(const RunRecord& run) {
   RunTrajectories result;
-  std::unordered_map<std::uint64_t, SE3d> T_world_key;
+  struct Key {
+    SE3d T_world_key;
+    double scale = 1.0;
+  };
+  std::unordered_map<std::uint64_t, Key> keys;
   for (const MapView::Keyframe& keyframe : run.map->keyframes) {
-    T_world_key[keyframe.id] = toSE3(keyframe.T_world_cam);
+    keys[keyframe.id] = {toSE3(keyframe.T_world_cam), keyframe.scale};
     if (keyframe.retired) continue;
     result.camera.keyframes.push_back({keyframe.t_ns, toSE3(keyframe.T_world_cam)});
   }
@@ -36,13 +40,15 @@ RunTrajectories buildTrajectories(const RunRecord& run) {
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const FrameResult& frame = run.frames[i].result;
     if (!isTracked(run.frames[i])) continue;
-    const auto reference = T_world_key.find(frame.reference_keyframe);
-    if (i < start || reference == T_world_key.end()) {
+    const auto reference = keys.find(frame.reference_keyframe);
+    if (i < start || reference == keys.end()) {
       ++result.of_older_maps;
       continue;
     }
     result.kept[i] = true;
-    result.camera.recomposed.push_back({frame.t_ns, reference->second * toSE3(frame.T_ref_cam)});
+    SE3d T_key_cam = toSE3(frame.T_ref_cam);
+    T_key_cam.t *= reference->second.scale / frame.reference_scale;
+    result.camera.recomposed.push_back({frame.t_ns, reference->second.T_world_key * T_key_cam});
     result.camera.live.push_back({frame.t_ns, toSE3(frame.T_world_cam)});
   }
   return result;

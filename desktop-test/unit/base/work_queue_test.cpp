@@ -68,6 +68,26 @@ TEST(WorkQueue, CloseWakesWhoWaitsForIdle) {
   waiter.join();
 }
 
+TEST(WorkQueue, PushWaitsForRoom) {
+  WorkQueue<int> queue(1);
+  int first = 1, second = 2;
+  ASSERT_TRUE(queue.push(first));
+  std::thread producer([&] { EXPECT_TRUE(queue.push(second)); });
+  EXPECT_EQ(queue.pop(), 1);
+  EXPECT_EQ(queue.pop(), 2);
+  producer.join();
+}
+
+TEST(WorkQueue, CloseWakesWhoWaitsForRoom) {
+  WorkQueue<int> queue(1);
+  int first = 1, second = 2;
+  ASSERT_TRUE(queue.push(first));
+  std::thread producer([&] { EXPECT_FALSE(queue.push(second)); });
+  queue.close();
+  producer.join();
+  EXPECT_EQ(second, 2);
+}
+
 TEST(WorkQueue, IsIdleWhenNothingWasPushed) {
   WorkQueue<int> queue(1);
   queue.waitIdle();

@@ -153,7 +153,7 @@ TEST_F(MapTest, IdsOfLandmarksAscendAlsoAcrossClear) {
 
 TEST_F(MapTest, SnapshotCopiesTheMapAndDoesNotFollowIt) {
   map_.retireKeyframe(KeyframeId{0});
-  const auto snapshot = snapshotOf(map_, {5, 1, 15});
+  const auto snapshot = snapshotOf(map_, {5, 1, 0, 15});
   map_.setPose(KeyframeId{1}, SE3d{});
   map_.removeLandmark(ids_[3]);
   EXPECT_EQ(snapshot->revision(), 5U);

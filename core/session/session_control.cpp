@@ -1,0 +1,83 @@
+#include "session/session_impl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace glide {
+namespace {
+
+// Calibrations that are read from files differ in their last digits.
+constexpr double kCameraTolerance = 1e-6;
+
+bool isClose(double a, double b) {
+  return std::abs(a - b) <= kCameraTolerance * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+bool isSameCamera(const CameraIntrinsics& a, const CameraIntrinsics& b) {
+  const bool same_image = a.width == b.width && a.height == b.height;
+  const bool same_pinhole = isClose(a.fx, b.fx) && isClose(a.fy, b.fy) && isClose(a.cx, b.cx) &&
+                            isClose(a.cy, b.cy) && a.distortion == b.distortion;
+  return same_image && same_pinhole &&
+         std::equal(a.coefficients.begin(),
+                    a.coefficients.end(),
+                    b.coefficients.begin(),
+                    b.coefficients.end(),
+                    isClose);
+}
+
+std::string describe(const CameraIntrinsics& camera) {
+  return std::to_string(camera.width) + "x" + std::to_string(camera.height) +
+         ", fx = " + std::to_string(camera.fx);
+}
+
+}  // namespace
+
+void Session::Impl::reset() {
+  back_end_.send(ClearMap{});
+  forgetMap();
+  ++resets_;
+}
+
+void Session::Impl::pause() { is_paused_ = true; }
+
+void Session::Impl::resume() {
+  is_paused_ = false;
+  motion_.stop();  // the camera may be anywhere by now
+  if (direct_) direct_->dropReference();
+}
+
+StoredMap Session::Impl::stored() const {
+  return {snapshot(),
+          config_.camera,
+          ScaleLevels(config_.features.scale_factor, config_.features.levels)};
+}
+
+Status Session::Impl::restore(const StoredMap& stored) {
+  const auto refuse = [](const std::string& what) {
+    return Error{ErrorCode::invalid_argument, "the map was made with " + what};
+  };
+  if (!isSameCamera(stored.camera, config_.camera))
+    return refuse("another camera: " + describe(stored.camera) + "; this session has " +
+                  describe(config_.camera));
+  if (stored.levels.count() != config_.features.levels ||
+      !isClose(stored.levels.factor(), config_.features.scale_factor))
+    return refuse("other values of features.levels or features.scale_factor");
+  if (stored.map->empty()) return refuse("no keyframe");
+  forgetMap();
+  back_end_.send(RestoredMap{stored.map});
+  back_end_.waitIdle();
+  const MapSnapshot& map = *stored.map;
+  const KeyframeId last = map.keyframes().back().id;
+  std::uint64_t newest = last.value;
+  if (!map.retired().empty()) newest = std::max(newest, map.retired().back().id.value);
+  next_keyframe_id_ = std::max(next_keyframe_id_, newest + 1);
+  map_start_ = map.keyframes().front().id;
+  last_keyframe_ = LastKeyframe{last, 0};
+  last_pose_ = anchorTo(last, *map.T_cam_world(last), map);
+  last_map_ = snapshot();
+  lost_frames_ = 1;  // nothing is known about where the camera is
+  return Unit{};
+}
+
+}  // namespace glide

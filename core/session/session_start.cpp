@@ -1,0 +1,56 @@
+#include "session/session_impl.h"
+
+#include <utility>
+
+// What a session does until it has a map.
+namespace glide {
+
+FrameResult Session::Impl::initialize(const Frame& frame) {
+  TrackedFrame tracked;
+  Stopwatch watch;
+  tracked.features = indirect_.extract(frame.luma, config_.features.initialization_count);
+  tracked.stats.features_ms = watch.lapMs();
+  std::optional<InitialMap> start = initializer_.update(frame.t_ns, tracked.features);
+  tracked.stats.pose_ms = watch.lapMs();
+  if (start) startMap(frame, std::move(*start), &tracked);
+  FrameResult result = toResult(frame, tracked);
+  result.initialization = initializer_.progress();
+  if (tracked.ok) initializer_.reset();
+  return result;
+}
+
+void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked) {
+  start.a.id = KeyframeId{next_keyframe_id_++};
+  start.b.id = KeyframeId{next_keyframe_id_++};
+  map_start_ = start.a.id;
+  tracked->pose = {start.b.id, SE3d{}, 1.0, start.b.T_cam_world};
+  tracked->stats.visible = tracked->stats.inliers = static_cast<int>(start.points.size());
+  Stopwatch watch;
+  tracked->ok = back_end_.offer(std::move(start));
+  tracked->stats.mapping_ms = inlineMs(&watch);
+  if (!tracked->ok)
+    return;  // the mapper still works on the map that was given up: try the next frame
+  tracked->tracker = TrackerKind::indirect;
+  tracked->confidence = 1.0;
+  tracked->stats.keyframe = true;
+  const std::shared_ptr<const MapSnapshot> map = back_end_.snapshot();
+  tracked->T_cam_world = tracked->pose.T_cam_world(*map);
+  last_keyframe_ = LastKeyframe{tracked->pose.keyframe, 0};
+  last_pose_ = tracked->pose;
+  lost_frames_ = 0;
+  motion_.reset();
+  motion_.update(frame.t_ns, tracked->pose, *map);
+}
+
+bool Session::Impl::isMapPending(const Frame& frame) const {
+  return !frame.map->T_cam_world(map_start_).has_value();
+}
+
+FrameResult Session::Impl::waitForMap(const Frame& frame) const {
+  FrameResult result = toResult(frame, TrackedFrame());
+  result.state = TrackingState::initializing;
+  result.initialization.status = InitializationStatus::done;
+  return result;
+}
+
+}  // namespace glide
