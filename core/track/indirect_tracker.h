@@ -1,10 +1,10 @@
 #pragma once
 
-#include "track/landmark_search.h"
-#include "track/local_map.h"
 #include "track/tracked_frame.h"
 
 #include "feature/orb_extractor.h"
+#include "map/local_map.h"
+#include "optimize/landmark_search.h"
 
 #include <memory>
 #include <span>

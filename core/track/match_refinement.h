@@ -1,9 +1,8 @@
 #pragma once
 
-#include "track/landmark_search.h"
-
 #include "map/feature_refinement.h"
 #include "map/map_snapshot.h"
+#include "optimize/landmark_search.h"
 
 #include <vector>
 

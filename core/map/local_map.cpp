@@ -1,4 +1,4 @@
-#include "track/local_map.h"
+#include "map/local_map.h"
 
 #include <algorithm>
 #include <map>

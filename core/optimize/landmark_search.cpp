@@ -1,4 +1,4 @@
-#include "track/landmark_search.h"
+#include "optimize/landmark_search.h"
 
 #include <algorithm>
 #include <unordered_set>
