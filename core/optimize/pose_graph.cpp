@@ -16,6 +16,9 @@ namespace {
 // length of the step would depend on the map's scale.
 constexpr double kFunctionTolerance = 1e-6;
 constexpr double kParameterTolerance = 0.0;
+// Nearly Gauss-Newton: a long chain is so soft against bending that the usual damping (1e4) would
+// hold it, 20 iterations instead of 3 for 1000 cameras.
+constexpr double kInitialTrustRegion = 1e10;
 
 bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(); }
 
@@ -82,6 +85,7 @@ void writeBack(const GraphProblem& solved, PoseGraph* graph) {
 ceres::Solver::Options solverOptions(const PoseGraphOptions& options) {
   ceres::Solver::Options ceres_options;
   ceres_options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  ceres_options.initial_trust_region_radius = kInitialTrustRegion;
   ceres_options.max_num_iterations = options.max_iterations;
   ceres_options.function_tolerance = kFunctionTolerance;
   ceres_options.parameter_tolerance = kParameterTolerance;

@@ -1,5 +1,6 @@
 #include "optimize/similarity_cost.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,6 +17,10 @@ constexpr std::array<double, 6> kEvenBernoulli{1.0 / 12.0,
                                                -1.0 / 1209600.0,
                                                1.0 / 47900160.0,
                                                -691.0 / 1307674368000.0};
+
+// Largest step of the log scale, a factor of 20: Ceres measures a gradient by stepping along all of
+// it, which is thousands on long loops, and gives up when that overflows.
+constexpr double kMaxLogScaleStep = 3.0;
 
 /// ad(x) y is the Lie bracket of x and y: the derivative of adjoint(exp(x)).
 Mat7d bracket(const Vec7d& x) {
@@ -75,7 +80,10 @@ Mat7d leftJacobianInverse(const Vec7d& x) {
 bool LeftSimilarityManifold::Plus(const double* x,
                                   const double* delta,
                                   double* x_plus_delta) const {
-  const Sim3d moved = Sim3d::exp(Eigen::Map<const Vec7d>(delta)) * fromSimilarityBlock(x);
+  Vec7d step = Eigen::Map<const Vec7d>(delta);
+  if (!step.allFinite()) return false;
+  step(6) = std::clamp(step(6), -kMaxLogScaleStep, kMaxLogScaleStep);
+  const Sim3d moved = Sim3d::exp(step) * fromSimilarityBlock(x);
   Eigen::Map<Vec8d> block(x_plus_delta);
   block = toSimilarityBlock(moved);
   return block.allFinite();

@@ -22,7 +22,8 @@ Mat7d adjoint(const Sim3d& S_a_b);
 /// below 2, 1e-3 at pi. From the right the derivative is J of -x.
 Mat7d leftJacobianInverse(const Vec7d& x);
 
-/// Similarities change by S <- exp(delta) * S, delta = (translation, rotation, log scale).
+/// Similarities change by S <- exp(delta) * S, delta = (translation, rotation, log scale), the last
+/// at most by 3.
 /// SimilarityCost gives its derivative by delta in the first seven of the eight columns, so
 /// plusJacobian is [I; 0]: right for that cost only, as LeftPoseManifold is for its own.
 class LeftSimilarityManifold final : public ceres::Manifold {

@@ -94,6 +94,17 @@ TEST(PoseGraphTest, ClosesALoopThatAlsoTurnsAndShifts) {
   EXPECT_LT(distance(S_last_first, loop.graph.edges.back().S_a_b), 0.05);
 }
 
+TEST(PoseGraphTest, ClosesALongLoopWhoseScaleHasDoubled) {
+  Loop loop = driftingLoop(700, scaleDrift(0.001));
+  for (PoseGraph::Edge& edge : loop.graph.edges) edge.S_a_b.t *= 30.0;
+  for (Sim3d& S_cam_world : loop.truth) S_cam_world.t *= 30.0;
+  for (PoseGraph::Vertex& vertex : loop.graph.vertices) vertex.S_cam_world.t *= 30.0;
+  const double before = worstCenterError(loop);
+  const PoseGraphSummary summary = solvePoseGraph({}, &loop.graph);
+  EXPECT_TRUE(summary.usable);
+  EXPECT_LT(worstCenterError(loop), 0.2 * before);
+}
+
 TEST(PoseGraphTest, BelievesAHeavyEdgeMoreThanALightOne) {
   for (const double weight : {1e-3, 1e3}) {
     PoseGraph graph;

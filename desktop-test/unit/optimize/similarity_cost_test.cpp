@@ -49,6 +49,14 @@ TEST(LeftSimilarityManifold, RefusesAStepThatIsNotFinite) {
   EXPECT_FALSE(manifold.Plus(x.data(), delta.data(), moved.data()));
 }
 
+TEST(LeftSimilarityManifold, StaysFiniteAlongAGradientOfALongLoop) {
+  const LeftSimilarityManifold manifold{};
+  const Vec7d delta = Vec7d::Constant(1e5);
+  const Vec8d x = toSimilarityBlock(Sim3d{});
+  Vec8d moved;
+  EXPECT_TRUE(manifold.Plus(x.data(), delta.data(), moved.data()));
+}
+
 TEST(SimilarityAdjoint, CarriesATangentThroughTheSimilarity) {
   const Sim3d S = Sim3d::exp(tangent(1.8, 3));
   const Vec7d x = tangent(0.9, 4);
