@@ -34,6 +34,20 @@ TEST_F(InsertionTest, PlacesTheKeyframeWhereItWasTracked) {
   EXPECT_EQ(checkConsistency(map()), "");
 }
 
+TEST_F(InsertionTest, FollowsAReferenceWhoseUnitGrewSinceTheFrameWasTracked) {
+  const NewKeyframe message = nextKeyframe();
+  constexpr double kGrowth = 1.5;
+  const Sim3d S_new_old{so3Exp(Vec3d(0.0, 0.2, 0.0)), Vec3d(0.3, 0.0, 0.1), kGrowth};
+  std::vector<KeyframeId> ids;
+  for (const auto& [id, keyframe] : map().keyframes()) ids.push_back(id);
+  for (const KeyframeId id : ids) map().moveKeyframe({id, S_new_old});
+  for (const LandmarkId id : map().landmarkIds())
+    map().setPosition(id, S_new_old * map().landmark(id)->p_world);
+  ASSERT_TRUE(insertKeyframe(&scene_.state, message));
+  EXPECT_LT(scene_.keyframeError(), 1e-4);
+  EXPECT_NEAR(*map().scale(message.id), kGrowth, 1e-12);
+}
+
 TEST_F(InsertionTest, FollowsAReferenceThatMovedSinceTheFrameWasTracked) {
   const NewKeyframe message = nextKeyframe();
   const SE3d T_new_old{so3Exp(Vec3d(0.0, 0.3, 0.0)),

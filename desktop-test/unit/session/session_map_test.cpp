@@ -1,0 +1,163 @@
+#include "unit/session/sequence_fixture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+namespace glide::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kStep_m = 0.012;
+constexpr int kFrames = 60;
+
+FrameResult walkOn(SequenceFixture* fixture, Session* session, int from, int to) {
+  FrameResult last;
+  for (int i = from; i < to; ++i) last = fixture->feed(session, fixture->imageAt(i * kStep_m));
+  return last;
+}
+
+double distance(const Pose& a, const Pose& b) {
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) sum += std::pow(a.t_xyz[axis] - b.t_xyz[axis], 2);
+  return std::sqrt(sum);
+}
+
+/// A session that has mapped the walk, and what it said about the middle of it.
+struct MappedWalk {
+  explicit MappedWalk(const Config& config) : session(makeSession(config)) {
+    middle = walkOn(&fixture, &session, 0, kFrames / 2);
+    last = walkOn(&fixture, &session, kFrames / 2, kFrames);
+    session.waitForMapping();
+  }
+  SequenceFixture fixture;
+  Session session;
+  FrameResult middle, last;
+};
+
+ImageU8 middleImage(const SequenceFixture& fixture) {
+  return fixture.imageAt((kFrames / 2 - 1) * kStep_m);
+}
+
+Config localizing() {
+  Config config = SequenceFixture().config();
+  config.mode = SessionMode::localization_only;
+  return config;
+}
+
+TEST(SessionMap, IsFoundAgainInAnotherSessionInTheSameFrame) {
+  const MappedWalk walk(SequenceFixture().config());
+  Session other = makeSession(localizing());
+  SequenceFixture fixture;
+  const Result<std::vector<std::byte>> bytes = walk.session.saveMap();
+  ASSERT_TRUE(bytes.ok()) << bytes.error().message;
+  const Status loaded = other.loadMap(*bytes);
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  const FrameResult found = fixture.feed(&other, middleImage(fixture));
+  ASSERT_EQ(found.state, TrackingState::tracking);
+  EXPECT_LT(distance(found.T_world_cam, walk.middle.T_world_cam), 0.01);
+}
+
+TEST(SessionMap, IsNotChangedByASessionThatOnlyLocalizes) {
+  const MappedWalk walk(SequenceFixture().config());
+  Session other = makeSession(localizing());
+  SequenceFixture fixture;
+  ASSERT_TRUE(other.loadMap(*walk.session.saveMap()).ok());
+  const FrameResult last = walkOn(&fixture, &other, 0, kFrames + 10);
+  EXPECT_EQ(last.state, TrackingState::tracking);
+  EXPECT_EQ(other.map()->keyframes.size(), walk.session.map()->keyframes.size());
+  EXPECT_EQ(*other.saveMap(), *walk.session.saveMap());
+}
+
+TEST(SessionMap, GrowsOnAfterItWasLoaded) {
+  const MappedWalk walk(SequenceFixture().config());
+  Session other = makeSession(SequenceFixture().config());
+  SequenceFixture fixture;
+  ASSERT_TRUE(other.loadMap(*walk.session.saveMap()).ok());
+  const std::size_t before = other.map()->keyframes.size();
+  const FrameResult last = walkOn(&fixture, &other, kFrames / 2, kFrames + 40);
+  EXPECT_EQ(last.state, TrackingState::tracking);
+  EXPECT_GT(other.map()->keyframes.size(), before);
+  EXPECT_EQ(other.map()->resets, 0U);
+}
+
+TEST(SessionMap, OfAnotherCameraIsRefusedAndNothingChanges) {
+  const MappedWalk walk(SequenceFixture().config());
+  Config config = SequenceFixture().config();
+  config.camera.fx += 5.0;
+  Session other = makeSession(config);
+  const Status loaded = other.loadMap(*walk.session.saveMap());
+  ASSERT_FALSE(loaded.ok());
+  EXPECT_EQ(loaded.error().code, ErrorCode::invalid_argument);
+  EXPECT_THAT(loaded.error().message, HasSubstr("another camera"));
+  EXPECT_TRUE(other.map()->keyframes.empty());
+}
+
+TEST(SessionMap, IsWrittenToAFileAndReadFromIt) {
+  const MappedWalk walk(SequenceFixture().config());
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / "glide_session_map_test.map";
+  ASSERT_TRUE(walk.session.saveMap(path).ok());
+  Session other = makeSession(localizing());
+  EXPECT_TRUE(other.loadMap(path).ok());
+  EXPECT_EQ(other.map()->landmarks.size(), walk.session.map()->landmarks.size());
+  std::filesystem::remove(path);
+  const Status missing = other.loadMap(path);
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().code, ErrorCode::io);
+  EXPECT_THAT(missing.error().message, HasSubstr(path.string()));
+}
+
+TEST(SessionMap, IsNeededToLocalize) {
+  SequenceFixture fixture;
+  Session session = makeSession(localizing());
+  EXPECT_EQ(walkOn(&fixture, &session, 0, 20).state, TrackingState::lost);
+  EXPECT_TRUE(session.map()->keyframes.empty());
+}
+
+TEST(SessionMap, IsDroppedByResetAndStartedAnew) {
+  MappedWalk walk(SequenceFixture().config());
+  walk.session.reset();
+  EXPECT_TRUE(walk.session.map()->keyframes.empty());
+  EXPECT_EQ(walk.session.map()->resets, 1U);
+  EXPECT_EQ(walkOn(&walk.fixture, &walk.session, 0, 1).state, TrackingState::initializing);
+  EXPECT_EQ(walkOn(&walk.fixture, &walk.session, 1, kFrames).state, TrackingState::tracking);
+}
+
+TEST(SessionMap, SurvivesAPauseInWhichTheCameraMoved) {
+  MappedWalk walk(SequenceFixture().config());
+  walk.session.pause();
+  const FrameResult paused = walkOn(&walk.fixture, &walk.session, kFrames, kFrames + 5);
+  EXPECT_EQ(paused.state, TrackingState::paused);
+  EXPECT_EQ(paused.T_world_cam.t_xyz, walk.last.T_world_cam.t_xyz);
+  walk.session.resume();
+  FrameResult found;
+  for (int i = 0; i < 3; ++i) found = walk.fixture.feed(&walk.session, middleImage(walk.fixture));
+  ASSERT_EQ(found.state, TrackingState::tracking);
+  EXPECT_LT(distance(found.T_world_cam, walk.middle.T_world_cam), 0.01);
+}
+
+TEST(SessionMap, LocatesTheCameraAtAFrameAndBetweenFrames) {
+  SequenceFixture fixture;
+  Session session = makeSession(fixture.config());
+  const FrameResult before = walkOn(&fixture, &session, 0, kFrames - 1);
+  const FrameResult last = walkOn(&fixture, &session, kFrames - 1, kFrames);
+  EXPECT_LT(distance(session.locate(last.t_ns).T_world_cam, last.T_world_cam), 1e-9);
+  const LocatedCamera between = session.locate((before.t_ns + last.t_ns) / 2);
+  EXPECT_TRUE(between.tracked);
+  const double step = distance(before.T_world_cam, last.T_world_cam);
+  EXPECT_NEAR(distance(between.T_world_cam, last.T_world_cam), 0.5 * step, 0.1 * step);
+  const LocatedCamera soon = session.locate(last.t_ns + 20'000'000);
+  EXPECT_TRUE(soon.valid);
+  EXPECT_FALSE(soon.tracked);
+  EXPECT_FALSE(session.locate(last.t_ns + 1'000'000'000).valid);
+}
+
+}  // namespace
+}  // namespace glide::test
