@@ -82,6 +82,7 @@ class FeatureSet {
   std::vector<Descriptor> descriptors_;
   std::vector<FeaturePatch> patches_;  ///< empty or one per feature
   int width_ = 0, height_ = 0;         ///< px
+  float cell_size_ = 1.0F;             ///< px
   int columns_ = 0, rows_ = 0;
   std::vector<int> cell_start_;  ///< prefix sums, columns_ * rows_ + 1
   std::vector<int> cell_items_;  ///< feature indices by cell

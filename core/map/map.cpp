@@ -98,6 +98,30 @@ bool Map::addObservation(LandmarkId id, const Observation& observation) {
   return true;
 }
 
+bool Map::restoreLandmark(Landmark landmark) {
+  const LandmarkId id = landmark.id;
+  if (id == kNoLandmark || (!created_.empty() && !(created_.back() < id))) return false;
+  const std::vector<Observation> observations = std::move(landmark.observations);
+  landmark.observations.clear();
+  const std::size_t unchanged = changed_.size();
+  landmarks_.emplace(id, std::move(landmark));
+  bool is_possible = true;
+  for (const Observation& observation : observations) {
+    is_possible = is_possible && addObservation(id, observation);
+  }
+  if (!is_possible) removeLandmark(id);
+  changed_.resize(unchanged);  // the summary is that of the observations
+  if (!is_possible) return false;
+  created_.push_back(id);
+  next_landmark_.value = std::max(next_landmark_.value, id.value + 1);
+  return true;
+}
+
+bool Map::restoreRetired(const RetiredKeyframe& keyframe) {
+  if (keyframes_.count(keyframe.id) > 0 || keyframes_.count(keyframe.parent) == 0) return false;
+  return retired_.emplace(keyframe.id, keyframe).second;
+}
+
 void Map::detach(Landmark* landmark, std::vector<Observation>::iterator observation) {
   const Observation gone = *observation;
   landmark->observations.erase(observation);

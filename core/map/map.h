@@ -49,6 +49,14 @@ class Map {
   /// holds a landmark, or the keyframe sees the landmark already.
   bool addObservation(LandmarkId id, const Observation& observation);
 
+  /// Puts back a landmark as a snapshot recorded it: id, observations, summary and counts; new ids
+  /// go on above it. False, and nothing changed, when the id is not above those that are there or
+  /// an observation is impossible.
+  bool restoreLandmark(Landmark landmark);
+
+  /// Puts back a retired keyframe. False when the id is taken or the parent does not live.
+  bool restoreRetired(const RetiredKeyframe& keyframe);
+
   /// A landmark that is left with fewer than two observations is removed.
   void removeObservation(LandmarkId id, KeyframeId keyframe);
 

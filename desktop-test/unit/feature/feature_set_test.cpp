@@ -117,6 +117,22 @@ TEST(FeatureSet, FindsInAWindowWhatASearchOverAllFinds) {
   EXPECT_GT(total, 5000U);
 }
 
+TEST(FeatureSet, FindsTheSameWithFewFeaturesInALargeImage) {
+  std::mt19937_64 rng(7);
+  const FeatureSet set = randomSet(4000, 30, 40, &rng);
+  std::vector<int> found;
+  std::size_t total = 0;
+  for (int i = 0; i < 300; ++i) {
+    FeatureSet::Query query;
+    query.uv = {uniform(-60.0F, 4100.0F, &rng), uniform(-20.0F, 50.0F, &rng)};
+    query.radius_px = uniform(0.0F, 400.0F, &rng);
+    set.query(query, &found);
+    EXPECT_EQ(found, bruteForce(set, query));
+    total += found.size();
+  }
+  EXPECT_GT(total, 300U);
+}
+
 TEST(FeatureSet, FindsAllFeaturesOfItsImageInAWindowWithoutEnd) {
   std::mt19937_64 rng(5);
   const FeatureSet set = randomSet(320, 240, 200, &rng);
