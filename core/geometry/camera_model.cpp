@@ -144,6 +144,21 @@ std::optional<Vec3d> CameraModel::unproject(const Vec2d& uv) const {
   return Vec3d(target.x(), target.y(), 1.0).normalized();
 }
 
+CameraIntrinsics CameraModel::intrinsics() const {
+  CameraIntrinsics intrinsics{width_, height_, fx_, fy_, cx_, cy_, distortion_, {}};
+  switch (distortion_) {
+    case DistortionModel::radial_tangential:
+      intrinsics.coefficients.assign(k_.begin(), k_.end());
+      break;
+    case DistortionModel::kannala_brandt4:
+      intrinsics.coefficients.assign(k_.begin(), k_.end() - 1);
+      break;
+    case DistortionModel::none:
+      break;
+  }
+  return intrinsics;
+}
+
 CameraModel CameraModel::atLevel(int level) const {
   assert(level >= 0);
   CameraModel scaled = *this;

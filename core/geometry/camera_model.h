@@ -34,6 +34,9 @@ class CameraModel {
   /// inverse distortion does not converge.
   std::optional<Vec3d> unproject(const Vec2d& uv) const;
 
+  /// What create() makes this camera from (five coefficients where radial-tangential).
+  CameraIntrinsics intrinsics() const;
+
   /// The same camera for pyramid level l made by decimation: u_l = u_0 / 2^l.
   CameraModel atLevel(int level) const;
 
