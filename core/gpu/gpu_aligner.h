@@ -44,6 +44,9 @@ class GpuAligner final : public Aligner {
   AlignResult align(const SE3d& T_cam_ref_guess) override;
   /// See GpuTimer for what the numbers mean.
   AlignTimes times() const override { return timer_.times(); }
+  StageTimer timer() const override {
+    return timer_.usesQueries() ? StageTimer::query : StageTimer::sync;
+  }
 
  private:
   /// Everything that lives on the GPU.

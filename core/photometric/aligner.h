@@ -34,6 +34,7 @@ class Aligner {
   virtual AlignResult align(const SE3d& T_cam_ref_guess) = 0;
 
   virtual AlignTimes times() const = 0;
+  virtual StageTimer timer() const = 0;
 };
 
 }  // namespace glide

@@ -37,6 +37,7 @@ class CpuAligner final : public Aligner {
   AlignResult align(const SE3d& T_cam_ref_guess) override;
 
   AlignTimes times() const override { return times_; }
+  StageTimer timer() const override { return StageTimer::cpu; }
 
  private:
   CpuAligner(const Config::Direct& config, const CameraModel& camera);

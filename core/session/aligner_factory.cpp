@@ -31,7 +31,8 @@ Result<ChosenAligner> makeGpuAligner(const Config& config, const CameraModel& ca
   if (!aligner) return aligner.error();
   ChosenAligner chosen;
   chosen.aligner = std::move(*aligner);
-  chosen.info = {Backend::gles, caps->vendor, caps->renderer, caps->version};
+  chosen.info = {
+      Backend::gles, caps->vendor, caps->renderer, caps->version, chosen.aligner->timer()};
   return chosen;
 }
 #else

@@ -54,6 +54,9 @@ constexpr std::array<EnumName<TrackerKind>, 3> enumNames(TrackerKind) {
            {TrackerKind::direct, "direct"},
            {TrackerKind::indirect, "indirect"}}};
 }
+constexpr std::array<EnumName<StageTimer>, 3> enumNames(StageTimer) {
+  return {{{StageTimer::cpu, "cpu"}, {StageTimer::sync, "sync"}, {StageTimer::query, "query"}}};
+}
 constexpr std::array<EnumName<SwitchReason>, 9> enumNames(SwitchReason) {
   return {{{SwitchReason::none, "none"},
            {SwitchReason::no_reference, "no_reference"},

@@ -20,6 +20,7 @@ namespace glide {
 struct BackendInfo {
   Backend backend = Backend::cpu;         ///< never automatic
   std::string vendor, renderer, version;  ///< of the GL, empty on the CPU
+  StageTimer timer = StageTimer::cpu;
 };
 
 /// Monocular SLAM: frames in, poses out. One thread calls update() and everything else that is not

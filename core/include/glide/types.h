@@ -41,6 +41,13 @@ enum class TrackingState {
 /// Who made the pose of a frame.
 enum class TrackerKind { none, direct, indirect };
 
+/// What the direct tracker's stage times mean.
+enum class StageTimer {
+  cpu,    ///< Wall clock of CPU work.
+  sync,   ///< Wall clock of GL calls; the alignment ends with its fence.
+  query,  ///< The GPU's own clock (GL_EXT_disjoint_timer_query).
+};
+
 /// Why a frame's pose came from the indirect tracker (or from none). ALGORITHMS section 2.
 enum class SwitchReason {
   none,               ///< The direct tracker's pose was accepted.

@@ -71,6 +71,15 @@ std::optional<Spread> stageSpread(const RunRecord& run, double FrameStats::*stag
   return spreadOf(std::move(values));
 }
 
+std::optional<Spread> spreadWithPyramid(const RunRecord& run, double FrameStats::*stage) {
+  std::vector<double> values;
+  for (const FrameRecord& frame : run.frames) {
+    const FrameStats& stats = frame.result.stats;
+    if (stats.*stage > 0.0) values.push_back(stats.pyramid_ms + stats.*stage);
+  }
+  return spreadOf(std::move(values));
+}
+
 std::optional<Spread> updateSpread(const RunRecord& run, std::optional<TrackerKind> tracker) {
   std::vector<double> values;
   for (const FrameRecord& frame : run.frames) {

@@ -34,6 +34,10 @@ FrameCounts countFrames(const RunRecord& run, const RunTrajectories& trajectorie
 /// Times of one stage over the frames in which it ran.
 std::optional<Spread> stageSpread(const RunRecord& run, double FrameStats::*stage);
 
+/// Time of the pyramid and a stage together over the frames in which the stage ran: the paper's
+/// sums Pre (precompute) and Trk (align).
+std::optional<Spread> spreadWithPyramid(const RunRecord& run, double FrameStats::*stage);
+
 /// Time of the tracking call over all frames, or over those that one tracker placed.
 std::optional<Spread> updateSpread(const RunRecord& run, std::optional<TrackerKind> tracker);
 

@@ -39,6 +39,29 @@ TEST(Trajectories, AreRecomposedFromTheFinalKeyframesRetiredOnesToo) {
   EXPECT_EQ(trajectories.camera.keyframes[0].t_ns, 1);
 }
 
+TEST(Trajectories, StretchWithTheScaleThatTheirKeyframeHasGained) {
+  RunFixture fixture;
+  fixture.addKeyframe(1, 10.0, false);
+  fixture.map().keyframes[0].scale = 3.0;
+  fixture.addTracked(TrackerKind::direct, 1);
+  fixture.run.frames[0].result.T_ref_cam.t_xyz = {0, 1, 0};
+  fixture.run.frames[0].result.reference_scale = 1.5;
+  const RunTrajectories trajectories = buildTrajectories(fixture.run);
+  EXPECT_LT((trajectories.camera.recomposed[0].T_world_rig.t - Vec3d(10, 2, 0)).norm(), 1e-12);
+}
+
+TEST(Spread, AddsThePyramidWhereTheStageRan) {
+  RunFixture fixture;
+  fixture.addTracked(TrackerKind::direct, 1);
+  fixture.addTracked(TrackerKind::indirect, 1);
+  fixture.run.frames[0].result.stats.pyramid_ms = 2.0;
+  fixture.run.frames[0].result.stats.align_ms = 3.0;
+  fixture.run.frames[1].result.stats.pyramid_ms = 9.0;
+  const auto spread = spreadWithPyramid(fixture.run, &FrameStats::align_ms);
+  ASSERT_TRUE(spread.has_value());
+  EXPECT_DOUBLE_EQ(spread->max, 5.0);
+}
+
 TEST(Trajectories, KeepOnlyTheLastMap) {
   RunFixture fixture;
   fixture.addKeyframe(1, 0.0, true);  // of the map that was given up

@@ -76,9 +76,9 @@ Json gpuJson(const RunRecord& run) {
           {"vendor", glText(backend.vendor)},
           {"renderer", glText(backend.renderer)},
           {"version", glText(backend.version)},
-          {"pre_ms", shortSpreadJson(stageSpread(run, &FrameStats::precompute_ms))},
-          {"trk_ms", shortSpreadJson(stageSpread(run, &FrameStats::align_ms))},
-          {"timer", is_gl ? "sync" : "cpu"}};
+          {"pre_ms", shortSpreadJson(spreadWithPyramid(run, &FrameStats::precompute_ms))},
+          {"trk_ms", shortSpreadJson(spreadWithPyramid(run, &FrameStats::align_ms))},
+          {"timer", enumName(backend.timer)}};
 }
 
 Json mapJson(const RunRecord& run, const FrameCounts& counts) {
@@ -86,7 +86,7 @@ Json mapJson(const RunRecord& run, const FrameCounts& counts) {
   for (const MapView::Keyframe& keyframe : run.map->keyframes) keyframes += !keyframe.retired;
   return {{"keyframes", keyframes},
           {"landmarks", run.map->landmarks.size()},
-          {"loops_closed", nullptr},  // this version closes no loops
+          {"loops_closed", run.map->loops.size()},
           {"relocalisations", counts.relocalisations},
           {"resets", run.map->resets}};
 }

@@ -132,7 +132,7 @@ TEST(StatsJson, TellsAccuracyWithNullsForWhatCouldNotBeAligned) {
 
 TEST(StatsJson, SaysWhereAndHowItRan) {
   RunFixture fixture = shortRun();
-  fixture.run.backend = {Backend::gles, "Mesa", "llvmpipe", "OpenGL ES 3.2"};
+  fixture.run.backend = {Backend::gles, "Mesa", "llvmpipe", "OpenGL ES 3.2", StageTimer::sync};
   fixture.run.config.execution = Execution::inline_;
   fixture.run.pace = Pace::realtime;
   const Json stats = statsOf(fixture, std::nullopt);
