@@ -37,6 +37,19 @@ void noteStateChange(const FrameRecord& record, TrackingState before, RunLog& lo
   log.note(line);
 }
 
+void noteCorrection(const FrameRecord& record, RunLog& log) {
+  const FrameResult& frame = record.result;
+  if (!frame.correction) return;
+  log.note(
+      fmt::format("frame {} ({} s): the map was corrected, which moved the camera by {:.4g} and "
+                  "turned it by {:.3g} deg, scale {:.4g}",
+                  record.index,
+                  secondsText(frame.t_ns),
+                  frame.correction->translation,
+                  frame.correction->rotation_deg,
+                  frame.correction->scale));
+}
+
 }  // namespace
 
 Status replayFrames(FrameSource& source,
@@ -53,6 +66,7 @@ Status replayFrames(FrameSource& source,
     const FrameRecord& record = run.frames.back();
     if (record.result.stats.keyframe && run.pace == Pace::lossless) session.waitForMapping();
     noteStateChange(record, state, observers.log);
+    noteCorrection(record, observers.log);
     state = record.result.state;
     observers.progress.show(record);
   }
