@@ -1,23 +1,17 @@
 #include "map/map_correction.h"
 
-#include "support/synthetic_map.h"
-#include "support/synthetic_problem.h"
+#include "support/true_map.h"
 
 #include "map/map_consistency.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace glide {
 namespace {
-
-using test::SyntheticCloud;
-using test::SyntheticView;
 
 constexpr int kSteps = 8;
 // A similarity that no part of the code can take for the identity.
@@ -55,32 +49,9 @@ double distance(const SE3d& a, const SE3d& b) { return (a * b.inverse()).log().n
 class MapCorrection : public testing::Test {
  protected:
   MapCorrection() {
-    for (int i = 0; i < kSteps; ++i) addKeyframe(test::lookAlong(Vec3d(0.5 * i, 0.0, 0.0), 0.0));
-    map_.refreshChanged();
-  }
-
-  void addKeyframe(const SE3d& T_cam_world) {
-    const SyntheticView view = cloud_.look(T_cam_world);
-    Keyframe keyframe;
-    keyframe.id = KeyframeId{map_.keyframes().size() + map_.retired().size()};
-    keyframe.T_cam_world = T_cam_world;
-    keyframe.features = view.features;
-    const KeyframeId id = keyframe.id;
-    map_.addKeyframe(std::move(keyframe));
-    for (std::size_t i = 0; i < view.points.size(); ++i) see(id, int(i), view.points[i]);
-  }
-
-  /// The first sight of a corner waits until there is a second one.
-  void see(KeyframeId id, int feature, int corner) {
-    const auto [first, is_first] = first_sight_.emplace(corner, Observation{id, feature});
-    if (is_first) return;
-    const Vec3d& p_world = cloud_.points()[std::size_t(corner)];
-    const auto [landmark, is_new] = landmark_.emplace(corner, LandmarkId{});
-    if (is_new) {
-      landmark->second = map_.addLandmark(p_world, first->second.keyframe);
-      map_.addObservation(landmark->second, first->second);
+    for (int i = 0; i < kSteps; ++i) {
+      world_.addKeyframe(test::lookAlong(Vec3d(0.5 * i, 0.0, 0.0), 0.0));
     }
-    map_.addObservation(landmark->second, {id, feature});
   }
 
   static std::vector<KeyframeMove> movesOf(int first, int last, const Sim3d& S_new_old) {
@@ -101,7 +72,7 @@ class MapCorrection : public testing::Test {
     for (const LandmarkId id : map_.landmarkIds()) {
       for (const Observation& seen : map_.landmark(id)->observations) {
         if (seen.keyframe < first) continue;
-        const auto uv = cloud_.camera().project(inCamera(seen.keyframe, id));
+        const auto uv = world_.cloud.camera().project(inCamera(seen.keyframe, id));
         result[{seen.keyframe, id}] = uv.value_or(Vec2d::Zero());
       }
     }
@@ -115,10 +86,8 @@ class MapCorrection : public testing::Test {
     return worst;
   }
 
-  SyntheticCloud cloud_{test::syntheticCamera(DistortionModel::radial_tangential), sparseCloud()};
-  Map map_{ScaleLevels(1.2, 8)};
-  std::map<int, Observation> first_sight_;
-  std::map<int, LandmarkId> landmark_;
+  test::TrueMap world_{sparseCloud()};
+  Map& map_ = world_.map;
 };
 
 TEST_F(MapCorrection, ChangesNoImageWhenEverythingMovesAlike) {
@@ -135,12 +104,12 @@ TEST_F(MapCorrection, KeepsPosesRightThatWereTrackedRelativeToAKeyframe) {
   const SE3d T_cam_ref = SE3d::exp((Vec6d() << 0.1, 0.05, -0.1, 0.02, -0.03, 0.01).finished());
   const double scale_then = map_.keyframe(reference)->scale;
   const LandmarkId seen = map_.landmarkIds().back();
-  const Vec2d uv = *cloud_.camera().project(T_cam_ref * inCamera(reference, seen));
+  const Vec2d uv = *world_.cloud.camera().project(T_cam_ref * inCamera(reference, seen));
 
   applyCorrection(moving(movesOf(0, kSteps - 1, part(1.0))), &map_);
   SE3d T_cam_ref_now = T_cam_ref;
   T_cam_ref_now.t *= map_.keyframe(reference)->scale / scale_then;
-  const Vec2d uv_now = *cloud_.camera().project(T_cam_ref_now * inCamera(reference, seen));
+  const Vec2d uv_now = *world_.cloud.camera().project(T_cam_ref_now * inCamera(reference, seen));
   EXPECT_LT((uv - uv_now).norm(), 1e-9);
 }
 
@@ -200,8 +169,8 @@ TEST_F(MapCorrection, TakesAlongWhatIsNewer) {
 }
 
 TEST_F(MapCorrection, TakesAlongAKeyframeThatSharesNothing) {
-  addKeyframe(test::lookAlong(Vec3d(0.0, 0.0, -500.0), 3.1));  // looks away
-  const KeyframeId alone{kSteps};
+  // Looks away.
+  const KeyframeId alone = world_.addKeyframe(test::lookAlong(Vec3d(0.0, 0.0, -500.0), 3.1));
   ASSERT_TRUE(map_.covisibility().neighbors(alone, 1).empty());
   applyCorrection(moving(movesOf(0, kSteps - 1, part(1.0))), &map_);
   EXPECT_NEAR(map_.keyframe(alone)->scale, part(1.0).s, 1e-12);
