@@ -32,18 +32,16 @@ MeasuredLink between(const LoopGeometry& best, const LoopGeometry& rival) {
 struct LoopCloser::Impl {
   CameraModel camera;
   ScaleLevels levels;
-  LoopVerifier verifier;
   LoopDetector detector;
   int rest = 0;  ///< keyframes until loops are looked for again
 
   Impl(const Config& config, const CameraModel& camera_in)
-      : camera(camera_in),
-        levels(config.features.scale_factor, config.features.levels),
-        verifier(camera, levels) {}
+      : camera(camera_in), levels(config.features.scale_factor, config.features.levels) {}
 
   std::vector<LoopGeometry> measure(const MapSnapshot::KeyframeEntry& keyframe,
                                     const std::vector<KeyframeId>& places,
                                     const MapSnapshot& map) const {
+    const LoopVerifier verifier(map.cameraOr(camera), levels);
     std::vector<LoopGeometry> measured;
     for (const KeyframeId place : places) {
       auto geometry = verifier.verify(keyframe, *map.keyframe(place), map);
@@ -105,7 +103,7 @@ std::optional<LoopCorrection> LoopCloser::close(KeyframeId keyframe,
   LoopCorrection correction;
   correction.edge = {loop->newer, loop->older};
   correction.keyframes = std::move(*moves);
-  correction.same = findSamePoints(impl_->camera, impl_->levels, *loop, map);
+  correction.same = findSamePoints(map.cameraOr(impl_->camera), impl_->levels, *loop, map);
   impl_->detector.reset();
   impl_->rest = kRestKeyframes;
   return correction;

@@ -4,6 +4,8 @@
 #include "map/landmark.h"
 #include "map/messages.h"
 
+#include "geometry/camera_model.h"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -51,12 +53,13 @@ class MapSnapshot {
 
   struct Parts {
     std::uint64_t revision = 0;
-    std::uint64_t generation = 0;          ///< see generation()
-    std::uint64_t corrections = 0;         ///< see corrections()
-    std::vector<KeyframeEntry> keyframes;  ///< ascending id
-    std::vector<LandmarkEntry> landmarks;  ///< ascending id
-    std::vector<RetiredEntry> retired;     ///< ascending id
-    std::vector<LoopEdge> loops;           ///< in the order of closing
+    std::uint64_t generation = 0;               ///< see generation()
+    std::uint64_t corrections = 0;              ///< see corrections()
+    std::vector<KeyframeEntry> keyframes;       ///< ascending id
+    std::vector<LandmarkEntry> landmarks;       ///< ascending id
+    std::vector<RetiredEntry> retired;          ///< ascending id
+    std::vector<LoopEdge> loops;                ///< in the order of closing
+    std::shared_ptr<const CameraModel> camera;  ///< see cameraOr(); null: as given
   };
 
   MapSnapshot() = default;  ///< empty, revision 0
@@ -68,6 +71,12 @@ class MapSnapshot {
   std::uint64_t generation() const { return parts_.generation; }
   /// Counts loop corrections and global adjustments: the world has moved under the camera.
   std::uint64_t corrections() const { return parts_.corrections; }
+  /// The camera that made this map: the one that was given, unless the map has corrected it.
+  const CameraModel& cameraOr(const CameraModel& given) const {
+    return parts_.camera ? *parts_.camera : given;
+  }
+  /// Null when it is as given.
+  const std::shared_ptr<const CameraModel>& correctedCamera() const { return parts_.camera; }
   bool empty() const { return parts_.keyframes.empty(); }
   const std::vector<KeyframeEntry>& keyframes() const { return parts_.keyframes; }
   const std::vector<LandmarkEntry>& landmarks() const { return parts_.landmarks; }

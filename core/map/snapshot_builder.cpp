@@ -67,7 +67,8 @@ std::shared_ptr<const MapSnapshot> snapshotOf(const Map& map, const SnapshotStam
                          keyframeEntries(map, stamp.min_covisibility),
                          landmarkEntries(map),
                          retiredEntries(map),
-                         map.loops()});
+                         map.loops(),
+                         stamp.camera});
 }
 
 }  // namespace glide

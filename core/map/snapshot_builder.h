@@ -13,6 +13,7 @@ struct SnapshotStamp {
   std::uint64_t generation = 0;
   std::uint64_t corrections = 0;
   int min_covisibility = 1;
+  std::shared_ptr<const CameraModel> camera = nullptr;  ///< null: as given
 };
 
 /// Copies the map into an immutable value. Features are shared, poses and links copied. A

@@ -23,7 +23,7 @@ class BearingCache {
   void clear() { bearings_.clear(); }
 
  private:
-  const CameraModel camera_;
+  CameraModel camera_;
   std::unordered_map<KeyframeId, std::vector<Vec3d>> bearings_;
 };
 

@@ -7,6 +7,7 @@
 #include "mapping/mapper_state.h"
 #include "mapping/new_landmarks.h"
 #include "mapping/recent_landmarks.h"
+#include "mapping/self_calibration.h"
 #include "mapping/window_adjustment.h"
 
 #include "map/map_correction.h"
@@ -28,6 +29,7 @@ constexpr int kHurriedWindow = 5;
 struct LocalMapper::Impl {
   MapperState state;
   RecentLandmarks recent;
+  SelfCalibration calibration;
   std::uint64_t revision = 0;
   std::uint64_t generation = 0;
   std::uint64_t corrections = 0;
@@ -44,6 +46,7 @@ struct LocalMapper::Impl {
 
   void process(const RestoredMap& message, const std::atomic<bool>*) {
     beginMap();
+    if (const auto& camera = message.map->correctedCamera()) state.correctCamera(*camera);
     restoreMap(*message.map, &state.map);
     publish();
   }
@@ -69,6 +72,7 @@ struct LocalMapper::Impl {
 
   void beginMap() {
     recent.clear();
+    calibration.beginMap();
     state.map.clear();
     state.bearings.clear();
     ++generation;
@@ -87,6 +91,7 @@ struct LocalMapper::Impl {
     publish();  // so that tracking profits before the adjustment
     adjust(id, interrupt);
     cullRedundantKeyframes(&state, id);
+    if (calibration.update(&state)) ++corrections;
   }
 
   void adjust(KeyframeId id, const std::atomic<bool>* interrupt) {
@@ -101,8 +106,12 @@ struct LocalMapper::Impl {
   }
 
   void publish() {
-    published->store(snapshotOf(
-        state.map, {++revision, generation, corrections, state.config.mapping.min_covisibility}));
+    published->store(snapshotOf(state.map,
+                                {++revision,
+                                 generation,
+                                 corrections,
+                                 state.config.mapping.min_covisibility,
+                                 state.corrected_camera}));
   }
 };
 

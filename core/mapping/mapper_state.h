@@ -8,6 +8,8 @@
 
 #include "glide/config.h"
 
+#include <memory>
+
 namespace glide {
 
 /// What every step of mapping works on. Owned by LocalMapper, one thread.
@@ -18,8 +20,16 @@ struct MapperState {
         map(ScaleLevels(config.features.scale_factor, config.features.levels)),
         bearings(camera) {}
 
+  /// From now on the map is made with another camera than the given one.
+  void correctCamera(const CameraModel& corrected) {
+    camera = corrected;
+    corrected_camera = std::make_shared<const CameraModel>(corrected);
+    bearings = BearingCache(corrected);
+  }
+
   const Config config;
-  const CameraModel camera;
+  CameraModel camera;                                   ///< in force
+  std::shared_ptr<const CameraModel> corrected_camera;  ///< the same; null while it is as given
   Map map;
   BearingCache bearings;
 };

@@ -151,6 +151,10 @@ AdjustmentWindow windowAround(const Map& map, KeyframeId id, int max_keyframes) 
   return window;
 }
 
+BundleProblem bundleOf(const Map& map, const AdjustmentWindow& window) {
+  return buildProblem(map, window).bundle;
+}
+
 BundleSummary adjustWindow(MapperState* state,
                            const AdjustmentWindow& window,
                            const BundleOptions& options) {

@@ -19,6 +19,9 @@ struct AdjustmentWindow {
 /// larger. The map's first keyframe never moves.
 AdjustmentWindow windowAround(const Map& map, KeyframeId id, int max_keyframes);
 
+/// The window as the solver takes it: cameras in the order moving, fixed; points as its landmarks.
+BundleProblem bundleOf(const Map& map, const AdjustmentWindow& window);
+
 /// Bundle adjustment of the window; afterwards outlier observations are removed (with landmarks
 /// that keep fewer than two) and landmark geometry is refreshed. When fewer than two keyframes are
 /// fixed the scale is free: it is restored so that the cameras' mean distance from the fixed one

@@ -28,6 +28,9 @@ class LandmarkSearch {
  public:
   LandmarkSearch(const Config& config, const CameraModel& camera);
 
+  /// From now on the map is that of another camera.
+  void useCamera(const CameraModel& camera) { camera_ = camera; }
+
   struct Request {
     SE3d T_cam_world;
     double radius_px = 0.0;  ///< at scale level 0

@@ -86,7 +86,9 @@ void LoopThread::adjust() {
   const ScaleLevels levels(config_.features.scale_factor, config_.features.levels);
   GlobalAdjustmentOptions options{levels};
   options.cancel = &is_wanted_;
-  std::optional<GlobalAdjustment> adjustment = adjustGlobally(camera_, *map_.load(), options);
+  const std::shared_ptr<const MapSnapshot> map = map_.load();
+  std::optional<GlobalAdjustment> adjustment =
+      adjustGlobally(map->cameraOr(camera_), *map, options);
   adjustment_is_due_ = !adjustment && is_wanted_.load();  // once the query is answered
   if (adjustment) correct_(std::move(*adjustment));
 }

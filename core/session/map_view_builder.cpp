@@ -47,6 +47,8 @@ std::shared_ptr<const MapView> buildMapView(const MapSnapshot& snapshot, std::ui
   }
   for (const LoopEdge& edge : snapshot.loops())
     view->loops.push_back({edge.newer.value, edge.older.value});
+  if (const auto& camera = snapshot.correctedCamera())
+    view->corrected_camera = camera->intrinsics();
   return view;
 }
 

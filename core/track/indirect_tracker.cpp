@@ -36,6 +36,7 @@ double windowOf(GuessQuality quality) {
 
 IndirectTracker::IndirectTracker(const Config& config, const CameraModel& camera)
     : config_(config),
+      given_camera_(camera),
       camera_(camera),
       extractor_(config.features),
       levels_(config.features.scale_factor, config.features.levels),
@@ -61,6 +62,7 @@ TrackedFrame IndirectTracker::track(const Frame& frame,
   tracked.T_cam_world = guess.T_cam_world;
   tracked.features = features;
   Stopwatch watch;
+  useCameraOf(*frame.map);
   search_.beginFrame();
   Attempt attempt = searchAround(frame, *features, guess);
   if (attempt.matches.count < kMinFirstMatches) attempt = recover(frame, *features, guess);
@@ -84,6 +86,11 @@ bool IndirectTracker::isEnough(const TrackedFrame& tracked, GuessQuality quality
   if (quality != GuessQuality::lost) return tracked.tracked_landmarks >= needed;
   return tracked.tracked_landmarks >= kLostInlierFactor * needed &&
          tracked.confidence >= kMinLostConfidence;
+}
+
+void IndirectTracker::useCameraOf(const MapSnapshot& map) {
+  camera_ = map.cameraOr(given_camera_);
+  search_.useCamera(camera_);
 }
 
 LocalMap IndirectTracker::widen(const Frame& frame, const FeatureSet& features, Attempt* attempt) {

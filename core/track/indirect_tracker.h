@@ -50,6 +50,7 @@ class IndirectTracker {
     PoseEstimate pose;
   };
 
+  void useCameraOf(const MapSnapshot& map);
   Attempt searchAround(const Frame& frame, const FeatureSet& features, const IndirectGuess& guess);
   Attempt recover(const Frame& frame, const FeatureSet& features, const IndirectGuess& guess);
   /// Adds what the local map expects in view.
@@ -68,7 +69,8 @@ class IndirectTracker {
               TrackedFrame* tracked) const;
 
   Config config_;
-  CameraModel camera_;
+  const CameraModel given_camera_;
+  CameraModel camera_;  ///< of the map that the frame is tracked in
   OrbExtractor extractor_;
   ScaleLevels levels_;
   LandmarkSearch search_;

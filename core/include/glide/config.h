@@ -44,6 +44,13 @@ enum class LoopClosing {
   off,  ///< Visual odometry with relocalisation (for comparison).
 };
 
+/// Whether the calibration of the lens is only a start.
+enum class CalibrationRefinement {
+  on,   ///< The map corrects k1 when it is sure that the calibration is off
+        ///< (MapView::corrected_camera).
+  off,  ///< The calibration is used as given.
+};
+
 /// Everything that can be tuned. Each field has its unit and range beside it; config_fields.h lists
 /// the same fields by name, and validate() checks them. Plain data: copy and edit.
 struct Config {
@@ -123,6 +130,11 @@ struct Config {
     int ba_iterations = 10;  ///< per local BA, 1..200
     int queue_capacity = 3;  ///< keyframes waiting for the mapper, 1..100
   } mapping;
+
+  /// The lens.
+  struct Calibration {
+    CalibrationRefinement refinement = CalibrationRefinement::on;
+  } calibration;
 
   /// Places seen again.
   struct Loop {

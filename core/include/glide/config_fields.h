@@ -116,6 +116,11 @@ void visitMapping(ConfigT& config, Visitor& visit) {
 }
 
 template <class ConfigT, class Visitor>
+void visitCalibration(ConfigT& config, Visitor& visit) {
+  visit(FieldInfo{"calibration.refinement", ""}, config.calibration.refinement);
+}
+
+template <class ConfigT, class Visitor>
 void visitLoop(ConfigT& config, Visitor& visit) {
   visit(FieldInfo{"loop.closing", ""}, config.loop.closing);
 }
@@ -135,6 +140,7 @@ void forEachField(ConfigT& config, Visitor&& visit) {
   config_fields::visitIndirect(config, visit);
   config_fields::visitKeyframes(config, visit);
   config_fields::visitMapping(config, visit);
+  config_fields::visitCalibration(config, visit);
   config_fields::visitLoop(config, visit);
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace glide {
@@ -33,6 +34,9 @@ struct MapView {
   std::vector<Keyframe> keyframes;  ///< by ascending id
   std::vector<Landmark> landmarks;  ///< by ascending id
   std::vector<Loop> loops;          ///< in the order of closing
+  /// The camera as the map has corrected it (Config::Calibration); none while it is as given. The
+  /// poses are of this camera: draw with it.
+  std::optional<CameraIntrinsics> corrected_camera;
 };
 
 }  // namespace glide
