@@ -22,8 +22,12 @@ TEST(MapSnapshot, FindsWhatItHoldsAndNothingElse) {
   std::vector<MapSnapshot::LandmarkEntry> landmarks(2);
   landmarks[0].id = LandmarkId{10};
   landmarks[1].id = LandmarkId{40};
-  const MapSnapshot snapshot(
-      2, std::move(keyframes), std::move(landmarks), {{KeyframeId{5}, 1, SE3d{}}});
+  MapSnapshot::Parts parts;
+  parts.revision = 2;
+  parts.keyframes = std::move(keyframes);
+  parts.landmarks = std::move(landmarks);
+  parts.retired.emplace_back().id = KeyframeId{5};
+  const MapSnapshot snapshot(std::move(parts));
   EXPECT_EQ(snapshot.keyframe(KeyframeId{8})->id, KeyframeId{8});
   EXPECT_EQ(snapshot.keyframe(KeyframeId{5}), nullptr);
   EXPECT_EQ(snapshot.keyframe(KeyframeId{9}), nullptr);
