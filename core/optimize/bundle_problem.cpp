@@ -118,7 +118,7 @@ BundleSummary runRounds(const CameraModel& camera,
   BundleSummary summary;
   RoundOptions round_options;
   round_options.max_iterations = options.max_iterations;
-  round_options.trust_region_radius = kInitialTrustRegion;
+  round_options.trust_region_radius = options.trust_region_radius;
   round_options.cancel = options.cancel;
   for (int round = 0; round < options.rounds && !summary.cancelled; ++round) {
     summary.usable = dropLoosePoints(problem, &iterate->use) > 0;

@@ -28,10 +28,14 @@ struct BundleProblem {
   std::vector<BundleObservation> observations;
 };
 
+/// Trust region to start from: nearly Gauss-Newton, since maps are close to their optimum.
+inline constexpr double kInitialTrustRegion = 1e4;
+
 struct BundleOptions {
   int max_iterations = 10;
   int rounds = 2;  ///< outliers (chi2 5.991) leave between rounds; Huber in all but the last
-  const std::atomic<bool>* cancel = nullptr;  ///< may be null; checked once per iteration
+  double trust_region_radius = kInitialTrustRegion;  ///< more for long maps, which bend easily
+  const std::atomic<bool>* cancel = nullptr;         ///< may be null; checked once per iteration
 };
 
 struct BundleSummary {

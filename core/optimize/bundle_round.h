@@ -39,9 +39,6 @@ struct RoundResult {
   double trust_region_radius = 0.0;  ///< at the end
 };
 
-/// Trust region of a first round: nearly Gauss-Newton, since maps are close to their optimum.
-inline constexpr double kInitialTrustRegion = 1e4;
-
 /// One Levenberg-Marquardt solve with Ceres. May throw std::bad_alloc.
 RoundResult solveRound(const RoundInput& input, const RoundOptions& options, BundleState* state);
 

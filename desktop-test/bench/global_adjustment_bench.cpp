@@ -17,7 +17,7 @@ namespace {
 constexpr double kTurn = 6.283185307179586;
 constexpr double kStep = 0.3;     // scene units between keyframes
 constexpr double kDepth = 5.0;    // of the ring of corners beyond the cameras' circle
-constexpr double kDensity = 1.6;  // corners per cubic unit: some 300 of them in a view
+constexpr double kDensity = 0.8;  // corners per cubic unit: some 300 of them in a view
 
 /// `count` keyframes on a circle that look outwards.
 test::TrueMap ring(int count) {
