@@ -20,7 +20,7 @@ struct RadialCorrection {
 CameraModel withRadial(const CameraModel& camera, double dk1);
 
 /// The correction under which the bundle fits best, by the profile of its likelihood: the bundle is
-/// adjusted twice, for two values of k1 (docs/algorithms/self-calibration.md). At least one of its
+/// adjusted for two values of k1 (docs/algorithms/self-calibration.md). At least one of its
 /// cameras is fixed. Nothing when a solve fails or the bundle does not hold the coefficient.
 std::optional<RadialCorrection> estimateRadial(const CameraModel& camera,
                                                const BundleOptions& options,

@@ -43,7 +43,7 @@ TEST_P(RadialCalibration, FindsWhatTheCalibrationLacks) {
   for (const double error : {-0.01, 0.01}) {
     const auto found = estimateRadial(withRadial(lens, -error), kOptions, problem);
     ASSERT_TRUE(found.has_value());
-    EXPECT_THAT(found->dk1, DoubleNear(error, 0.1 * std::abs(error)));
+    EXPECT_THAT(found->dk1, DoubleNear(error, 0.01 * std::abs(error)));
     EXPECT_GT(found->shift_px, 0.2);
   }
 }
