@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -41,7 +42,7 @@ Support supportOf(const CameraModel& camera,
                   double max_error2) {
   Support support;
   for (const Sim3Pair& pair : pairs) {
-    const double margin = max_error2 - reprojectionError2(camera, S_a_b, pair);
+    const double margin = max_error2 - pairError2(camera, S_a_b, pair);
     if (!(margin > 0.0)) continue;
     support.score += margin;
     ++support.inliers;
@@ -83,7 +84,7 @@ Candidate refit(const CameraModel& camera,
   for (int round = 0; round < kRefitRounds; ++round) {
     std::vector<Vec3d> points_a, points_b;
     for (const Sim3Pair& pair : pairs) {
-      if (!(reprojectionError2(camera, best.S_a_b, pair) < max_error2)) continue;
+      if (!(pairError2(camera, best.S_a_b, pair) < max_error2)) continue;
       points_a.push_back(pair.p_a);
       points_b.push_back(pair.p_b);
     }
@@ -98,10 +99,13 @@ Candidate refit(const CameraModel& camera,
 
 }  // namespace
 
-double reprojectionError2(const CameraModel& camera, const Sim3d& S_a_b, const Sim3Pair& pair) {
-  const double in_a = error2(camera, S_a_b * pair.p_b, pair.uv_a, pair.inv_sigma_a);
+double pairError2(const CameraModel& camera, const Sim3d& S_a_b, const Sim3Pair& pair) {
+  const Vec3d p_a = S_a_b * pair.p_b;
   const Vec3d p_b = S_a_b.q.conjugate() * (pair.p_a - S_a_b.t) / S_a_b.s;
-  return std::max(in_a, error2(camera, p_b, pair.uv_b, pair.inv_sigma_b));
+  const double depth = 0.5 * std::log(p_a.squaredNorm() / pair.p_a.squaredNorm()) / kLogDepthSigma;
+  return std::max({error2(camera, p_a, pair.uv_a, pair.inv_sigma_a),
+                   error2(camera, p_b, pair.uv_b, pair.inv_sigma_b),
+                   depth * depth});
 }
 
 std::optional<Sim3RansacResult> solveSim3(const CameraModel& camera,
@@ -118,7 +122,7 @@ std::optional<Sim3RansacResult> solveSim3(const CameraModel& camera,
   result.S_a_b = best.S_a_b;
   result.inliers = best.support.inliers;
   for (const Sim3Pair& pair : pairs) {
-    result.inlier.push_back(reprojectionError2(camera, best.S_a_b, pair) < options.max_error2);
+    result.inlier.push_back(pairError2(camera, best.S_a_b, pair) < options.max_error2);
   }
   return result;
 }

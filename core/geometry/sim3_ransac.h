@@ -17,12 +17,16 @@ struct Sim3Pair {
   double inv_sigma_a = 1.0, inv_sigma_b = 1.0;  ///< 1 / px
 };
 
-/// The larger one of the two squared reprojection errors, in sigma^2: p_b seen by a, p_a seen by b.
-/// Infinite when either does not project.
-double reprojectionError2(const CameraModel& camera, const Sim3d& S_a_b, const Sim3Pair& pair);
+/// Standard deviation of the logarithm of a landmark's distance. Two cameras at one place see the
+/// same whatever the scale between them: only how far the landmarks are tells it.
+inline constexpr double kLogDepthSigma = 0.15;
+
+/// The largest of three squared errors, in sigma^2: p_b seen by a, p_a seen by b, and the
+/// logarithm of the ratio of their distances from a. Infinite when a point does not project.
+double pairError2(const CameraModel& camera, const Sim3d& S_a_b, const Sim3Pair& pair);
 
 struct Sim3RansacOptions {
-  double max_error2 = 9.21;  ///< sigma^2 of each of both reprojections; 99 % of chi-squared
+  double max_error2 = 9.21;  ///< sigma^2 of each of the errors; 99 % of chi-squared
   int iterations = 300;
   int min_inliers = 15;
   std::uint64_t seed = 1;

@@ -27,7 +27,6 @@ constexpr double kConverged = 1e-6;
 // Smallest pivot of the system scaled to a unit diagonal; below it a direction is not observed.
 constexpr double kMinPivot = 1e-10;
 
-using Mat27d = Eigen::Matrix<double, 2, 7>;
 using Mat37d = Eigen::Matrix<double, 3, 7>;
 
 struct Sim3Problem {
@@ -49,7 +48,11 @@ Mat37d leftSimilarityJacobian(const Vec3d& p) {
   return J;
 }
 
-void addImage(const Vec2d& r, const Mat27d& J, double huber, NormalEquations* sum) {
+template <int N>
+void addError(const Eigen::Matrix<double, N, 1>& r,
+              const Eigen::Matrix<double, N, 7>& J,
+              double huber,
+              NormalEquations* sum) {
   const double norm = r.norm();
   const double weight = huberWeight(norm, huber);
   sum->H.noalias() += weight * J.transpose() * J;
@@ -65,11 +68,13 @@ NormalEquations linearize(const Sim3Problem& problem,
     if (!use[i]) continue;
     const auto lin = linearizeSim3(problem.camera, S_a_b, problem.pairs[i]);
     if (!lin) {
-      sum.cost += 2.0 * huberCost(kUnprojectableNorm, problem.huber);
+      sum.cost += 3.0 * huberCost(kUnprojectableNorm, problem.huber);
       continue;
     }
-    addImage(lin->r.head<2>(), lin->J_r_sim.topRows<2>(), problem.huber, &sum);
-    addImage(lin->r.tail<2>(), lin->J_r_sim.bottomRows<2>(), problem.huber, &sum);
+    const Mat57d& J = lin->J_r_sim;
+    addError<2>(lin->r.segment<2>(0), J.middleRows<2>(0), problem.huber, &sum);
+    addError<2>(lin->r.segment<2>(2), J.middleRows<2>(2), problem.huber, &sum);
+    addError<1>(lin->r.segment<1>(4), J.middleRows<1>(4), problem.huber, &sum);
   }
   return sum;
 }
@@ -109,13 +114,14 @@ bool gate(const Sim3Problem& problem, double max_error2, Sim3Estimate* estimate)
   estimate->inliers = 0;
   for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
     const auto lin = linearizeSim3(problem.camera, estimate->S_a_b, problem.pairs[i]);
-    const bool inside = lin && lin->r.head<2>().squaredNorm() < max_error2 &&
-                        lin->r.tail<2>().squaredNorm() < max_error2;
+    const bool inside = lin && lin->r.segment<2>(0).squaredNorm() < max_error2 &&
+                        lin->r.segment<2>(2).squaredNorm() < max_error2 &&
+                        lin->r(4) * lin->r(4) < max_error2;
     changed = changed || estimate->inlier[i] != inside;
     estimate->inlier[i] = inside;
     if (!inside) continue;
     ++estimate->inliers;
-    sum_chi2 += 0.5 * lin->r.squaredNorm();
+    sum_chi2 += 0.5 * lin->r.head<4>().squaredNorm();
   }
   estimate->rms_px = estimate->inliers > 0 ? std::sqrt(sum_chi2 / estimate->inliers) : 0.0;
   return changed;
@@ -141,10 +147,14 @@ std::optional<Sim3Residual> linearizeSim3(const CameraModel& camera,
   const auto in_b = linearizeReprojection(camera, p_in_b, pair.uv_b, pair.inv_sigma_b);
   if (!in_a || !in_b) return std::nullopt;
   Sim3Residual out;
-  out.r << in_a->r, in_b->r;
+  const double depth_error = 0.5 * std::log(p_in_a.squaredNorm() / pair.p_a.squaredNorm());
+  out.r << in_a->r, in_b->r, depth_error / kLogDepthSigma;
   // (exp(delta) S)^-1 p_a = S^-1 exp(-delta) p_a: the minus, and the linear part of S^-1.
   out.J_r_sim << in_a->J_r_point * leftSimilarityJacobian(p_in_a),
-      -in_b->J_r_point * R_b_a_scaled * leftSimilarityJacobian(pair.p_a);
+      -in_b->J_r_point * R_b_a_scaled * leftSimilarityJacobian(pair.p_a),
+      // log|p| changes along p only: by the translation, and by the log scale itself.
+      p_in_a.transpose() / (p_in_a.squaredNorm() * kLogDepthSigma), Vec3d::Zero().transpose(),
+      1.0 / kLogDepthSigma;
   return out;
 }
 

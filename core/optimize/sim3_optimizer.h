@@ -10,13 +10,15 @@
 
 namespace glide {
 
-using Mat47d = Eigen::Matrix<double, 4, 7>;
+using Vec5d = Eigen::Matrix<double, 5, 1>;
+using Mat57d = Eigen::Matrix<double, 5, 7>;
 
-/// Both reprojection errors of a pair in sigmas, that in a first, and their derivative for
-/// S_a_b <- exp(delta) * S_a_b, delta = (translation, rotation, log scale).
+/// The errors of a pair in sigmas and their derivative for S_a_b <- exp(delta) * S_a_b, delta =
+/// (translation, rotation, log scale): p_b seen by a (2), p_a seen by b (2), and the logarithm of
+/// the ratio of their distances from a.
 struct Sim3Residual {
-  Vec4d r;
-  Mat47d J_r_sim;
+  Vec5d r;
+  Mat57d J_r_sim;
 };
 
 /// Nothing when either point does not project or a number is not finite.
@@ -26,15 +28,15 @@ std::optional<Sim3Residual> linearizeSim3(const CameraModel& camera,
 
 struct Sim3Estimate {
   Sim3d S_a_b;
-  std::vector<bool> inlier;  ///< per pair, within the gate in both images
+  std::vector<bool> inlier;  ///< per pair, each of its errors within the gate
   int inliers = 0;
-  double rms_px = 0.0;  ///< of the inliers' errors in an image, in units of their sigma
+  double rms_px = 0.0;  ///< of the inliers' errors in an image, in sigmas
   bool valid = false;   ///< at least 6 inliers and a finite, well-conditioned solution
 };
 
-/// Refines a similarity on the bidirectional reprojection errors: damped Gauss-Newton on the 7x7
-/// system, Huber, rounds with a chi2 gate in which outliers may come back.
-/// `max_error2` is the gate, sigma^2. docs/algorithms/loop-closing.md.
+/// Refines a similarity on the reprojection errors in both images and the distances: damped
+/// Gauss-Newton on the 7x7 system, Huber, rounds with a gate of `max_error2` sigma^2 in which
+/// outliers may come back. docs/algorithms/loop-closing.md.
 Sim3Estimate optimizeSim3(const CameraModel& camera,
                           std::span<const Sim3Pair> pairs,
                           const Sim3d& S_a_b_guess,

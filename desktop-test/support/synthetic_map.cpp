@@ -45,19 +45,45 @@ int detectedLevel(double max_distance, double distance) {
 
 SyntheticCloud::SyntheticCloud(const CameraModel& camera, const SyntheticCloudOptions& options)
     : camera_(camera), options_(options), random_(options.seed) {
-  for (int i = 0; i < options.points; ++i) {
-    Vec3d point;
-    for (int k = 0; k < 3; ++k) point[k] = uniform(options.low[k], options.high[k], &random_);
-    points_.push_back(point);
-    tangents_.push_back(randomVector(1.0, &random_).normalized());
-    const double size_level = uniform(0.0, kLevels - 1.0, &random_);
-    max_distances_.push_back(5.0 * std::pow(kScaleFactor, size_level));
-    Descriptor descriptor{};
-    for (std::uint64_t& word : descriptor) word = random_();
-    descriptors_.push_back(descriptor);
-    const auto looks = static_cast<std::size_t>(options.looks);
-    if (looks > 0 && descriptors_.size() > looks) {
-      descriptors_.back() = descriptors_[static_cast<std::size_t>(i) % looks];
+  while (static_cast<int>(points_.size()) < options.points) addCorner();
+  if (options.repeat_x > 0.0) repeat();
+}
+
+void SyntheticCloud::addCorner() {
+  Vec3d point;
+  for (int k = 0; k < 3; ++k) point[k] = uniform(options_.low[k], options_.high[k], &random_);
+  if (std::hypot(point.x(), point.z()) < options_.hole) return;
+  const auto looks = static_cast<std::size_t>(options_.looks);
+  const std::size_t index = points_.size();
+  points_.push_back(point);
+  tangents_.push_back(randomVector(1.0, &random_).normalized());
+  const double size_level = uniform(0.0, kLevels - 1.0, &random_);
+  max_distances_.push_back(5.0 * std::pow(kScaleFactor, size_level));
+  Descriptor descriptor{};
+  for (std::uint64_t& word : descriptor) word = random_();
+  descriptors_.push_back(looks > 0 && index >= looks ? descriptors_[index % looks] : descriptor);
+}
+
+// Keeps the corners of the first period and copies them into the others.
+void SyntheticCloud::repeat() {
+  const std::size_t count = points_.size();
+  const auto periodOf = [&](const Vec3d& p) {
+    return std::floor((p.x() - options_.low.x()) / options_.repeat_x);
+  };
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (periodOf(points_[i]) == 0.0) first.push_back(i);
+  }
+  const std::vector<Vec3d> points = std::exchange(points_, {});
+  const std::vector<Vec3d> tangents = std::exchange(tangents_, {});
+  const std::vector<double> max_distances = std::exchange(max_distances_, {});
+  const std::vector<Descriptor> descriptors = std::exchange(descriptors_, {});
+  for (double x = 0.0; options_.low.x() + x < options_.high.x(); x += options_.repeat_x) {
+    for (const std::size_t i : first) {
+      points_.push_back(points[i] + Vec3d(x, 0.0, 0.0));
+      tangents_.push_back(tangents[i]);
+      max_distances_.push_back(max_distances[i]);
+      descriptors_.push_back(descriptors[i]);
     }
   }
 }

@@ -18,6 +18,8 @@ struct SyntheticCloudOptions {
   int points = 2500;
   Vec3d low = Vec3d(-6.0, -3.0, 3.0);  ///< corner of the box that holds the points, world units
   Vec3d high = Vec3d(12.0, 3.0, 8.0);  ///< opposite corner
+  double hole = 0.0;      ///< no points nearer than this to the world's y axis, world units
+  double repeat_x = 0.0;  ///< > 0: the same corners and looks again and again, this far apart
   double noise_px = 0.0;  ///< standard deviation per axis at level 0; grows with the level
   int flipped_bits = 0;   ///< of each descriptor, chosen anew in every view
   int looks = 0;          ///< distinct descriptors shared by all corners; 0 = one for each corner
@@ -50,6 +52,9 @@ class SyntheticCloud {
   std::vector<Vec3d> points_, tangents_;
   std::vector<double> max_distances_;
   std::vector<Descriptor> descriptors_;
+
+  void addCorner();
+  void repeat();
 };
 
 /// Camera at `center`, turned by `yaw` radians about the y axis (0 looks along +z).

@@ -59,15 +59,19 @@ TEST_P(Sim3Ransac, GivesTheSameResultForTheSameSeed) {
   EXPECT_EQ(first->inlier, second->inlier);
 }
 
-TEST_P(Sim3Ransac, MeasuresTheWorseOfBothImages) {
+TEST_P(Sim3Ransac, MeasuresTheWorstOfBothImagesAndTheDepth) {
   Sim3Pair pair = makeSim3Pairs(camera_, S_a_b_, {.pairs = 1}).front();
   pair.uv_a.x() += 1.0;
   pair.uv_b.y() += 3.0;
   pair.inv_sigma_b = 0.5;
-  EXPECT_NEAR(reprojectionError2(camera_, S_a_b_, pair), 2.25, 1e-9);
+  EXPECT_NEAR(pairError2(camera_, S_a_b_, pair), 2.25, 1e-9);
+  pair.uv_b.y() -= 3.0;
+  Sim3Pair nearer = pair;
+  nearer.p_b *= 0.5;
+  EXPECT_GT(pairError2(camera_, S_a_b_, nearer), 4.0);
   pair.p_b.z() = -pair.p_b.z();
   if (GetParam() == DistortionModel::radial_tangential) {
-    EXPECT_TRUE(std::isinf(reprojectionError2(camera_, S_a_b_, pair)));
+    EXPECT_TRUE(std::isinf(pairError2(camera_, S_a_b_, pair)));
   }
 }
 
