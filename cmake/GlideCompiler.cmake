@@ -33,3 +33,8 @@ if(GLIDE_SANITIZE)
   target_compile_options(glide_flags INTERFACE -fsanitize=${GLIDE_SANITIZE} -fno-omit-frame-pointer -g1 -O1)
   target_link_options(glide_flags INTERFACE -fsanitize=${GLIDE_SANITIZE})
 endif()
+if(GLIDE_FUZZ)
+  # Coverage for the fuzzer; and what the sanitizers find ends the program.
+  target_compile_options(glide_flags INTERFACE -fsanitize=fuzzer-no-link -fno-sanitize-recover=all)
+  target_link_options(glide_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()

@@ -3,7 +3,8 @@
 : "${root:?}"
 
 # Unit tests of what handles memory by hand or reads foreign files.
-asan_targets=(geometry_test image_test photometric_test feature_test map_test optimize_test readers_test calibration_test)
+asan_targets=(geometry_test image_test photometric_test feature_test map_test optimize_test readers_test calibration_test
+  map_mutations)
 # What runs on, or hands data to, more than one thread.
 tsan_targets=(base_test session_test)
 
@@ -40,6 +41,16 @@ suite() {
   fi
 }
 
+# A short run of the fuzzer, the same one every time. map_mutations, among all tests, is what is left without libFuzzer.
+fuzz_suite() {
+  local probe='extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'
+  if ! clang++ -fsanitize=fuzzer -x c++ - -o /dev/null <<<"$probe" 2>/dev/null; then
+    say "this clang has no libFuzzer: skipped"
+    return 0
+  fi
+  sanitized fuzz map_fuzz
+}
+
 release_suite() { build release && ctest_in release "$@"; }
 
 run_test_suites() {
@@ -53,6 +64,7 @@ run_test_suites() {
   if [ "$quick" = no ] && [ $# -eq 0 ]; then
     suite "address and undefined behaviour sanitizers" sanitized asan "${asan_targets[@]}"
     suite "thread sanitizer" sanitized tsan "${tsan_targets[@]}"
+    suite "fuzzer" fuzz_suite
     suite "library with clang" build clang glide
   fi
   suite "all tests" release_suite "$@"
