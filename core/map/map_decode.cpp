@@ -247,6 +247,7 @@ Result<StoredMap> decodeMap(std::span<const std::byte> bytes) {
   if (!wrong) wrong = readSections(bytes, &decoding);
   if (wrong) return Error{ErrorCode::io, *std::move(wrong)};
   const MapHeader& header = decoding.header;
+  decoding.parts.camera = std::make_shared<const CameraModel>(*CameraModel::create(header.camera));
   return StoredMap{std::make_shared<const MapSnapshot>(std::move(decoding.parts)),
                    header.camera,
                    ScaleLevels(header.level_factor, header.level_count)};

@@ -21,6 +21,10 @@ struct CovisibleKeyframe {
   int weight = 0;  ///< landmarks that both see
 };
 
+/// How far the k1 of the camera that made a map may be from the calibration that was given: more is
+/// not the rest of a distortion but another lens.
+inline constexpr double kMaxRadialCorrection = 0.15;
+
 /// The whole map at one revision, immutable: what the tracker and the viewers read.
 class MapSnapshot {
  public:

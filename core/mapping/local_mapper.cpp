@@ -46,16 +46,9 @@ struct LocalMapper::Impl {
 
   void process(const RestoredMap& message, const std::atomic<bool>*) {
     beginMap();
-    adoptCameraOf(*message.map);
+    state.useCamera(message.map->cameraOr(state.given_camera));
     restoreMap(*message.map, &state.map);
     publish();
-  }
-
-  void adoptCameraOf(const MapSnapshot& map) {
-    const CameraModel& camera = map.cameraOr(state.camera);
-    const bool is_same_lens = camera.distortion() == state.camera.distortion() &&
-                              camera.coefficients() == state.camera.coefficients();
-    if (!is_same_lens) state.correctCamera(camera);
   }
 
   void process(const ClearMap&, const std::atomic<bool>*) {

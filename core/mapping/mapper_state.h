@@ -16,18 +16,22 @@ namespace glide {
 struct MapperState {
   MapperState(const Config& config_in, const CameraModel& camera_in)
       : config(config_in),
+        given_camera(camera_in),
         camera(camera_in),
         map(ScaleLevels(config.features.scale_factor, config.features.levels)),
         bearings(camera) {}
 
-  /// From now on the map is made with another camera than the given one.
-  void correctCamera(const CameraModel& corrected) {
-    camera = corrected;
-    corrected_camera = std::make_shared<const CameraModel>(corrected);
-    bearings = BearingCache(corrected);
+  /// From now on the map is made with this camera.
+  void useCamera(const CameraModel& other) {
+    const bool is_given = other.distortion() == given_camera.distortion() &&
+                          other.coefficients() == given_camera.coefficients();
+    camera = other;
+    corrected_camera = is_given ? nullptr : std::make_shared<const CameraModel>(other);
+    bearings = BearingCache(other);
   }
 
   const Config config;
+  CameraModel given_camera;
   CameraModel camera;                                   ///< in force
   std::shared_ptr<const CameraModel> corrected_camera;  ///< the same; null while it is as given
   Map map;

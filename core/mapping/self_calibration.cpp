@@ -20,9 +20,11 @@ constexpr double kMinSigmas = 3.0;
 // Corners must move by this much (RMS) for a correction to be worth it: three times what correct
 // calibrations yield, a third of what spoils a map.
 constexpr double kMinShiftPx = 0.75;
-// More than this is not the rest of a distortion but a wrong lens model.
-constexpr double kMaxCorrection = 0.15;
 constexpr BundleOptions kOptions{.max_iterations = 20};
+
+bool isWithinLimit(const CameraModel& camera, const CameraModel& given) {
+  return std::abs(camera.coefficients()[0] - given.coefficients()[0]) <= kMaxRadialCorrection;
+}
 
 bool isWorthAdopting(const RadialCorrection& correction) {
   return std::abs(correction.dk1) >= kMinSigmas * correction.sigma &&
@@ -42,9 +44,9 @@ bool SelfCalibration::update(MapperState* state) {
   const std::optional<RadialCorrection> found =
       estimateRadial(state->camera, kOptions, bundleOf(state->map, all));
   if (!found || !isWorthAdopting(*found)) return false;
-  if (std::abs(dk1_ + found->dk1) > kMaxCorrection) return false;
-  dk1_ += found->dk1;
-  state->correctCamera(withRadial(state->camera, found->dk1));
+  const CameraModel corrected = withRadial(state->camera, found->dk1);
+  if (!isWithinLimit(corrected, state->given_camera)) return false;
+  state->useCamera(corrected);
   adjustWindow(state, all, kOptions);
   return true;
 }

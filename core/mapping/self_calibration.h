@@ -23,7 +23,6 @@ class SelfCalibration {
   static constexpr std::size_t kFirstSize = 8;
 
   std::size_t next_size_ = kFirstSize;  ///< keyframes in the map at which it is tried next
-  double dk1_ = 0.0;                    ///< sum of what was adopted
 };
 
 }  // namespace glide

@@ -1,6 +1,9 @@
 #include "session/session_impl.h"
 
+#include "map/map_snapshot.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -14,16 +17,26 @@ bool isClose(double a, double b) {
   return std::abs(a - b) <= kCameraTolerance * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
+/// A pinhole is the radial-tangential camera without distortion.
+std::array<double, 5> coefficientsOf(const CameraIntrinsics& camera) {
+  std::array<double, 5> k{};
+  std::copy_n(
+      camera.coefficients.begin(), std::min(camera.coefficients.size(), k.size()), k.begin());
+  return k;
+}
+
+/// Whether a map can have been made with the camera: it brings the k1 that it corrected along.
 bool isSameCamera(const CameraIntrinsics& a, const CameraIntrinsics& b) {
   const bool same_image = a.width == b.width && a.height == b.height;
-  const bool same_pinhole = isClose(a.fx, b.fx) && isClose(a.fy, b.fy) && isClose(a.cx, b.cx) &&
-                            isClose(a.cy, b.cy) && a.distortion == b.distortion;
-  return same_image && same_pinhole &&
-         std::equal(a.coefficients.begin(),
-                    a.coefficients.end(),
-                    b.coefficients.begin(),
-                    b.coefficients.end(),
-                    isClose);
+  const bool same_pinhole =
+      isClose(a.fx, b.fx) && isClose(a.fy, b.fy) && isClose(a.cx, b.cx) && isClose(a.cy, b.cy);
+  const bool same_model = (a.distortion == DistortionModel::kannala_brandt4) ==
+                          (b.distortion == DistortionModel::kannala_brandt4);
+  const std::array<double, 5> k_a = coefficientsOf(a);
+  const std::array<double, 5> k_b = coefficientsOf(b);
+  return same_image && same_pinhole && same_model &&
+         std::abs(k_a[0] - k_b[0]) <= kMaxRadialCorrection + kCameraTolerance &&
+         std::equal(k_a.begin() + 1, k_a.end(), k_b.begin() + 1, isClose);
 }
 
 std::string describe(const CameraIntrinsics& camera) {
@@ -48,8 +61,10 @@ void Session::Impl::resume() {
 }
 
 StoredMap Session::Impl::stored() const {
-  return {snapshot(),
-          config_.camera,
+  const std::shared_ptr<const MapSnapshot> map = snapshot();
+  const auto& corrected = map->correctedCamera();
+  return {map,
+          corrected ? corrected->intrinsics() : config_.camera,
           ScaleLevels(config_.features.scale_factor, config_.features.levels)};
 }
 

@@ -7,6 +7,7 @@
 #include "mapping/window_adjustment.h"
 
 #include "map/map_consistency.h"
+#include "map/map_restore.h"
 #include "optimize/radial_calibration.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ class SelfCalibrationTest : public testing::Test {
 
   /// Eight keyframes, mapped by a camera whose k1 is off by `dk1`.
   void mapWith(double dk1) {
-    state().camera = withRadial(truth_, dk1);
+    state().camera = state().given_camera = withRadial(truth_, dk1);
     state().bearings = BearingCache(state().camera);
     scene_.start();
     for (int step = 2; step < 8; ++step) {
@@ -77,23 +78,27 @@ TEST_F(SelfCalibrationTest, LeavesAMapAloneWhoseLensIsRight) {
 TEST_F(SelfCalibrationTest, TriesOnceForEachSizeOfTheMap) {
   mapWith(kWrongDk1);
   EXPECT_TRUE(calibration_.update(&state()));
-  state().correctCamera(withRadial(truth_, kWrongDk1));
+  state().useCamera(withRadial(truth_, kWrongDk1));
   EXPECT_FALSE(calibration_.update(&state()));
   calibration_.beginMap();
   EXPECT_TRUE(calibration_.update(&state()));
 }
 
 TEST_F(SelfCalibrationTest, RefusesWhatIsNoRestOfADistortion) {
-  constexpr double kDk1 = 0.04;
-  mapWith(kDk1);
-  for (int times = 0; times < 3; ++times) {  // each finds the same again, and the sum grows
-    calibration_.beginMap();
-    ASSERT_TRUE(calibration_.update(&state())) << times;
-    state().correctCamera(withRadial(truth_, kDk1));
-    adjustWindow(&state(), windowAround(state().map, scene_.newest(), 20), {});
-  }
-  calibration_.beginMap();
+  mapWith(kWrongDk1);
+  state().given_camera = withRadial(truth_, 0.2);
   EXPECT_FALSE(calibration_.update(&state()));
+  EXPECT_EQ(state().corrected_camera, nullptr);
+}
+
+TEST_F(SelfCalibrationTest, CanBeTurnedOff) {
+  mapWith(kWrongDk1);
+  Config config;
+  config.calibration.refinement = CalibrationRefinement::off;
+  MapperState off(config, truth_);
+  restoreMap(*scene_.map(), &off.map);
+  off.camera = state().camera;
+  EXPECT_FALSE(calibration_.update(&off));
 }
 
 }  // namespace
