@@ -3,6 +3,7 @@
 #include "replay/common/text.h"
 #include "replay/evaluation/evaluate.h"
 #include "replay/outputs/frames_csv.h"
+#include "replay/outputs/map_ply.h"
 #include "replay/outputs/statistics.h"
 #include "replay/outputs/stats_json.h"
 #include "replay/outputs/summary.h"
@@ -90,6 +91,7 @@ std::optional<Failure> writeOutputs(Job& job) {
                    {"trajectory_live.tum", tumText(job.written.live)},
                    {"keyframes.tum", tumText(job.written.keyframes)},
                    {"frames.csv", framesCsv(job.run)},
+                   {"map.ply", mapPly(*job.run.map)},
                    {"stats.json", stats}});
 }
 

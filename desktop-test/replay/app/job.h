@@ -47,7 +47,9 @@ std::optional<Failure> buildConfig(Job& job);
 std::optional<Failure> openInputs(Job& job);
 std::optional<Failure> startSession(Job& job);
 std::optional<Failure> openOutput(Job& job);
+std::optional<Failure> loadMap(Job& job);
 std::optional<Failure> runFrames(Job& job);
+std::optional<Failure> saveMap(Job& job);
 std::optional<Failure> evaluateRun(Job& job);
 std::optional<Failure> writeOutputs(Job& job);
 

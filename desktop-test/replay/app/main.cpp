@@ -10,7 +10,14 @@ namespace glide::replay {
 namespace {
 
 std::optional<Failure> runSteps(Job& job) {
-  for (auto* step : {openInputs, startSession, openOutput, runFrames, evaluateRun, writeOutputs}) {
+  for (auto* step : {openInputs,
+                     startSession,
+                     openOutput,
+                     loadMap,
+                     runFrames,
+                     saveMap,
+                     evaluateRun,
+                     writeOutputs}) {
     if (auto failure = step(job)) return failure;
   }
   return judgeRun(job);

@@ -17,6 +17,7 @@ struct Raw {
   std::optional<std::string> backend, tracker, patch, levels, max_direct_frames;
   std::vector<std::string> settings;
   bool deterministic = false;
+  bool localize_only = false;
 };
 
 /// A validator whose own description stays out of --help; type_name() says it shorter.
@@ -91,6 +92,18 @@ void addTracking(CLI::App& app, Raw& raw) {
   app.add_flag("--print-config", options.print_config, "print the config as YAML and stop");
 }
 
+void addMaps(CLI::App& app, Raw& raw) {
+  Options& options = raw.options;
+  auto* map_in = app.add_option("--map-in", options.map_in, "start in the map of this file")
+                     ->type_name("FILE");
+  app.add_option("--map-out", options.map_out, "save the map to this file at the end")
+      ->type_name("FILE");
+  app.add_flag("--localize-only",
+               raw.localize_only,
+               "only find the camera in the map of --map-in, do not extend it")
+      ->needs(map_in);
+}
+
 void addOutputs(CLI::App& app, Raw& raw) {
   Options& options = raw.options;
   app.add_option("-o,--output", options.output, "output folder (default: out/<name>-<time>)")
@@ -131,6 +144,7 @@ Options toOptions(Raw raw) {
     if (value) options.settings.push_back(std::string(key) + "=" + *value);
   }
   if (raw.deterministic) options.settings.emplace_back("execution=inline");
+  if (raw.localize_only) options.settings.emplace_back("mode=localization_only");
   options.settings.insert(options.settings.end(), raw.settings.begin(), raw.settings.end());
   return options;
 }
@@ -153,6 +167,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
                            std::to_string(GLIDE_VERSION_PATCH));
   addInputs(app, raw);
   addTracking(app, raw);
+  addMaps(app, raw);
   addOutputs(app, raw);
   try {
     app.parse(argc, argv);

@@ -29,7 +29,9 @@ struct Options {
   std::optional<double> require_tracked;
   bool print_config = false;
   std::optional<std::filesystem::path> config_file;
-  std::vector<std::string> settings;  ///< key=value, the named shortcuts first, in order
+  std::optional<std::filesystem::path> map_in;   ///< loaded before the first frame
+  std::optional<std::filesystem::path> map_out;  ///< written at the end
+  std::vector<std::string> settings;             ///< key=value, the named shortcuts first, in order
 };
 
 /// What the process ends with, as CLI.md lists them.

@@ -76,6 +76,10 @@ TEST(Options, ReadSelectionAndOutputs) {
                                   "0.9",
                                   "-o",
                                   "there",
+                                  "--map-in",
+                                  "a.glmap",
+                                  "--map-out",
+                                  "b.glmap",
                                   "--gt",
                                   "gt.txt",
                                   "--fps",
@@ -92,6 +96,16 @@ TEST(Options, ReadSelectionAndOutputs) {
   EXPECT_EQ(options.output, "there");
   EXPECT_EQ(options.groundtruth, "gt.txt");
   EXPECT_EQ(options.fps, 15.0);
+  EXPECT_EQ(options.map_in, "a.glmap");
+  EXPECT_EQ(options.map_out, "b.glmap");
+}
+
+TEST(Options, LocalizeOnlyInAMap) {
+  EXPECT_THAT(parsed({"data", "--map-in", "a.glmap", "--localize-only"}).settings,
+              ElementsAre("mode=localization_only"));
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(exitCode({"data", "--localize-only"}), kUsage);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("--map-in"));
 }
 
 TEST(Options, EndWithOneOnAMistakeAndZeroOnHelp) {
@@ -108,7 +122,7 @@ TEST(Options, EndWithOneOnAMistakeAndZeroOnHelp) {
   EXPECT_EQ(exitCode({"--help"}), kOk);
   const std::string help = testing::internal::GetCapturedStdout();
   EXPECT_THAT(help, HasSubstr("Exit status"));
-  for (const char* later : {"--render", "--report", "--map-in", "--localize-only"}) {
+  for (const char* later : {"--render", "--report"}) {
     EXPECT_THAT(help, testing::Not(HasSubstr(later)));
   }
 }

@@ -86,6 +86,7 @@ TEST_F(ReplayProgram, TracksARenderedSequenceAndWritesAllFiles) {
                            "keyframes.tum",
                            "frames.csv",
                            "groundtruth.tum",
+                           "map.ply",
                            "log.txt"}) {
     EXPECT_FALSE(output(name).empty()) << name;
   }
@@ -215,6 +216,36 @@ TEST_F(ReplayProgram, CountsTheMissingImagesOfARealSequenceOnce) {
   EXPECT_THAT(result.out,
               HasSubstr("2569 of 2585 images listed in rgb.txt are missing (first: rgb/13418479"));
   EXPECT_EQ(nlohmann::json::parse(output("stats.json"))["frames"]["in"], 16);
+}
+
+TEST_F(ReplayProgram, LocalizesInAMapThatItSaved) {
+  const std::string map = (folder_.path() / "wall.glmap").string();
+  ASSERT_EQ(run({dataset().string(), "--deterministic", "--map-out", map}).exit_code, 0);
+  const std::string keyframes = output("keyframes.tum");
+  EXPECT_EQ(nlohmann::json::parse(output("stats.json"))["memory"]["map_mb"],
+            static_cast<double>(fs::file_size(map)) / 1024.0 / 1024.0);
+  const ProgramResult result = run({dataset().string(),
+                                    "--deterministic",
+                                    "--map-in",
+                                    map,
+                                    "--localize-only",
+                                    "--require-tracked",
+                                    "0.8"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(output("keyframes.tum"), keyframes);  // the map is as it was
+  const auto stats = nlohmann::json::parse(output("stats.json"));
+  EXPECT_GT(stats["frames"]["tracked"], kRenderedFrames / 2);
+  EXPECT_LT(stats["accuracy"]["ate_rmse_m"], 0.01);
+  EXPECT_THAT(output("log.txt"), HasSubstr("loaded in"));
+}
+
+TEST_F(ReplayProgram, EndsWithTwoOnAMapThatItCannotUse) {
+  const fs::path map = folder_.path() / "bad.glmap";
+  EXPECT_EQ(run({dataset().string(), "--map-in", map.string()}).exit_code, 2);
+  ASSERT_TRUE(writeFile(map, "GLiDEmap and then nothing of use").ok());
+  const ProgramResult result = run({dataset().string(), "--map-in", map.string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr(map.string() + ": truncated"));
 }
 
 TEST_F(ReplayProgram, KeepsPaceWithTheTimestampsInRealtime) {

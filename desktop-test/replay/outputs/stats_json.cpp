@@ -115,6 +115,12 @@ double peakRssMb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts in KiB
 }
 
+Json mapMb(const RunRecord& run) {
+  constexpr double kBytesPerMb = 1024.0 * 1024.0;
+  if (run.map_file_bytes == 0) return nullptr;
+  return static_cast<double>(run.map_file_bytes) / kBytesPerMb;
+}
+
 std::string versionText() {
   return std::to_string(GLIDE_VERSION_MAJOR) + "." + std::to_string(GLIDE_VERSION_MINOR) + "." +
          std::to_string(GLIDE_VERSION_PATCH);
@@ -156,7 +162,7 @@ Json statsJson(const RunRecord& run,
   stats["accuracy"] = accuracyJson(accuracy);
   stats["pace"] = run.pace == Pace::lossless ? "lossless" : "realtime";
   stats["deterministic"] = run.config.execution == Execution::inline_;
-  stats["memory"] = {{"peak_rss_mb", peakRssMb()}, {"map_mb", nullptr}};
+  stats["memory"] = {{"peak_rss_mb", peakRssMb()}, {"map_mb", mapMb(run)}};
   stats["startup_ms"] = run.startup_ms;
   stats["wall_s"] = run.wall_s;
   return stats;

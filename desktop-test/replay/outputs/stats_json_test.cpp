@@ -95,6 +95,13 @@ TEST(StatsJson, IsNullWhereNothingApplies) {
   }
   EXPECT_TRUE(stats["time_ms"]["direct"].is_null());
   EXPECT_TRUE(stats["gpu"]["renderer"].is_null());
+  EXPECT_TRUE(stats["memory"]["map_mb"].is_null());
+}
+
+TEST(StatsJson, TellsHowLargeTheMapIs) {
+  RunFixture fixture = shortRun();
+  fixture.run.map_file_bytes = 3 * 512 * 1024;
+  EXPECT_EQ(statsOf(fixture, std::nullopt)["memory"]["map_mb"], 1.5);
 }
 
 TEST(StatsJson, HasEveryConfigFieldUnderItsName) {
