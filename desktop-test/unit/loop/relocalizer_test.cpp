@@ -129,14 +129,14 @@ TEST(Relocalizer, RefusesCornersThatAllLookAlike) {
 }
 
 /// A camera that looks at the wall, turns around once and looks at the wall again, which it does
-/// not recognise. With each keyframe the map moves by `drift_x`.
-MappedWall seenTwice(double drift_x) {
+/// not recognise. With each keyframe the map sinks by `drift_y`.
+MappedWall seenTwice(double drift_y) {
   std::vector<SE3d> path;
   for (int k = 0; k < 8; ++k) path.push_back(alongWall(0.05 * k));
   for (int k = 1; k < 7; ++k) path.push_back(lookAlong(Vec3d::Zero(), 0.9 * k));
   for (int k = 0; k < 8; ++k) path.push_back(alongWall(0.05 * k));
   test::Drift drift = test::Drift::Zero();
-  drift.x() = drift_x;
+  drift.y() = drift_y;
   return {wall(), path, drift};
 }
 
