@@ -84,11 +84,13 @@ Json gpuJson(const RunRecord& run) {
 Json mapJson(const RunRecord& run, const FrameCounts& counts) {
   int keyframes = 0;
   for (const MapView::Keyframe& keyframe : run.map->keyframes) keyframes += !keyframe.retired;
+  const auto& corrected = run.map->corrected_camera;
   return {{"keyframes", keyframes},
           {"landmarks", run.map->landmarks.size()},
           {"loops_closed", run.map->loops.size()},
           {"relocalisations", counts.relocalisations},
-          {"resets", run.map->resets}};
+          {"resets", run.map->resets},
+          {"corrected_k1", corrected ? Json(corrected->coefficients.front()) : Json(nullptr)}};
 }
 
 Json accuracyJson(const std::optional<Accuracy>& accuracy) {

@@ -104,6 +104,17 @@ TEST(StatsJson, TellsHowLargeTheMapIs) {
   EXPECT_EQ(statsOf(fixture, std::nullopt)["memory"]["map_mb"], 1.5);
 }
 
+TEST(StatsJson, TellsWhatTheMapFoundOutAboutTheLens) {
+  RunFixture fixture = shortRun();
+  EXPECT_TRUE(statsOf(fixture, std::nullopt)["map"]["corrected_k1"].is_null());
+  fixture.map().corrected_camera = fixture.run.config.camera;
+  fixture.map().corrected_camera->coefficients = {0.0175, 0.0, 0.0, 0.0, 0.0};
+  EXPECT_EQ(statsOf(fixture, std::nullopt)["map"]["corrected_k1"], 0.0175);
+  const FrameCounts counts = countFrames(fixture.run, buildTrajectories(fixture.run));
+  EXPECT_THAT(summaryText({fixture.run, counts, std::nullopt, "out"}),
+              HasSubstr("k1 corrected from 0.0000 to 0.0175"));
+}
+
 TEST(StatsJson, HasEveryConfigFieldUnderItsName) {
   const Json config = configJson(Config{});
   EXPECT_EQ(config["direct"]["patch_size"], 11);

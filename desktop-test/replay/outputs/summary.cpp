@@ -85,6 +85,15 @@ std::string spreadText(const std::string& name, const std::optional<Spread>& spr
   return fmt::format("{} {:.2f} / {:.2f}", name, spread->median, spread->p95);
 }
 
+std::string lensRow(const RunRecord& run) {
+  if (!run.map->corrected_camera) return "";
+  const std::vector<double>& given = run.config.camera.coefficients;
+  return row("lens",
+             fmt::format("k1 corrected from {:.4f} to {:.4f}",
+                         given.empty() ? 0.0 : given.front(),
+                         run.map->corrected_camera->coefficients.front()));
+}
+
 std::string costRows(const RunRecord& run) {
   const auto direct = updateSpread(run, TrackerKind::direct);
   const auto indirect = updateSpread(run, TrackerKind::indirect);
@@ -102,7 +111,7 @@ std::string costRows(const RunRecord& run) {
   text += row(
       "map",
       fmt::format("{} keyframes, {} landmarks{}", keyframes, run.map->landmarks.size(), resets));
-  return text + row("wall", fmt::format("{:.1f} s", run.wall_s));
+  return text + lensRow(run) + row("wall", fmt::format("{:.1f} s", run.wall_s));
 }
 
 }  // namespace
