@@ -74,7 +74,9 @@ struct LoopCorrection {
 
 /// Global bundle adjustment of a snapshot that may be older than the map by now.
 struct GlobalAdjustment {
-  std::vector<KeyframeMove> keyframes;  ///< ascending id; their S_new_old has scale 1
+  /// Ascending id. The scale of a move is what the keyframe's landmarks have moved away or nearer
+  /// by, so that what was mapped meanwhile around it follows in size too.
+  std::vector<KeyframeMove> keyframes;
   struct LandmarkPosition {
     LandmarkId id;
     Vec3d p_world;

@@ -2,6 +2,7 @@
 
 #include "optimize/bundle_problem.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -63,13 +64,42 @@ void rescale(double factor, BundleProblem* problem) {
   for (Vec3d& point : problem->points) point = first + factor * (point - first);
 }
 
+/// By which factor the distances of each camera's landmarks have grown: the median over those it
+/// sees well, 1 where there are none.
+std::vector<double> growthOfViews(const MapSnapshot& map, const BundleProblem& solved) {
+  std::vector<std::vector<double>> ratios(solved.cameras.size());
+  for (const BundleObservation& seen : solved.observations) {
+    if (!seen.inlier) continue;
+    const auto camera = std::size_t(seen.camera), point = std::size_t(seen.point);
+    const Vec3d p_old = map.keyframes()[camera].T_cam_world * map.landmarks()[point].p_world;
+    const Vec3d p_new = solved.cameras[camera].T_cam_world * solved.points[point];
+    if (p_old.norm() > 0.0) ratios[camera].push_back(p_new.norm() / p_old.norm());
+  }
+  std::vector<double> growth(solved.cameras.size(), 1.0);
+  for (std::size_t i = 0; i < growth.size(); ++i) {
+    const auto middle = ratios[i].begin() + std::ptrdiff_t(ratios[i].size() / 2);
+    std::nth_element(ratios[i].begin(), middle, ratios[i].end());
+    if (middle != ratios[i].end() && *middle > 0.0) growth[i] = *middle;
+  }
+  return growth;
+}
+
+/// World, old to new, around a camera: into its frame, grown there, and out again.
+Sim3d moveOf(const SE3d& T_cam_old, const SE3d& T_cam_new, double growth) {
+  const Sim3d S_cam_old{T_cam_old.q, T_cam_old.t, 1.0};
+  const Sim3d S_cam_new{T_cam_new.q, T_cam_new.t, 1.0};
+  const Sim3d S_growth{Eigen::Quaterniond::Identity(), Vec3d::Zero(), growth};
+  return S_cam_new.inverse() * S_growth * S_cam_old;
+}
+
 GlobalAdjustment differenceFrom(const MapSnapshot& map, const BundleProblem& solved) {
   GlobalAdjustment adjustment;
+  const std::vector<double> growth = growthOfViews(map, solved);
   adjustment.keyframes.reserve(solved.cameras.size());
   for (std::size_t i = 0; i < solved.cameras.size(); ++i) {
     const MapSnapshot::KeyframeEntry& old = map.keyframes()[i];
-    const SE3d T_new_old = solved.cameras[i].T_cam_world.inverse() * old.T_cam_world;
-    adjustment.keyframes.push_back({old.id, {T_new_old.q, T_new_old.t, 1.0}});
+    adjustment.keyframes.push_back(
+        {old.id, moveOf(old.T_cam_world, solved.cameras[i].T_cam_world, growth[i])});
   }
   adjustment.landmarks.reserve(solved.points.size());
   for (std::size_t i = 0; i < solved.points.size(); ++i) {
