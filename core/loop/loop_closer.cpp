@@ -101,6 +101,7 @@ std::optional<LoopCorrection> LoopCloser::close(KeyframeId keyframe,
   if (!moves) return std::nullopt;
 
   LoopCorrection correction;
+  correction.snapshot = {map.generation(), map.corrections()};
   correction.edge = {loop->newer, loop->older};
   correction.keyframes = std::move(*moves);
   correction.same = findSamePoints(map.cameraOr(impl_->camera), impl_->levels, *loop, map);

@@ -60,9 +60,16 @@ struct LoopEdge {
   KeyframeId newer, older;
 };
 
+/// Which snapshot something was solved on: MapSnapshot::generation() and corrections().
+struct SolvedOn {
+  std::uint64_t generation = 0, corrections = 0;
+};
+
 /// A loop, solved on a snapshot that may be older than the map by now. Keyframes and landmarks that
-/// the snapshot did not have follow a covisible keyframe that it had.
+/// the snapshot did not have follow a covisible keyframe that it had. Ignored when the map was
+/// replaced or another loop was closed since.
 struct LoopCorrection {
+  SolvedOn snapshot;
   LoopEdge edge;
   std::vector<KeyframeMove> keyframes;  ///< ascending id
   struct SamePoint {
@@ -72,8 +79,10 @@ struct LoopCorrection {
   std::vector<SamePoint> same;
 };
 
-/// Global bundle adjustment of a snapshot that may be older than the map by now.
+/// Global bundle adjustment of a snapshot that may be older than the map by now. Ignored when the
+/// map was replaced or a loop was closed since.
 struct GlobalAdjustment {
+  SolvedOn snapshot;
   /// Ascending id. The scale of a move is what the keyframe's landmarks have moved away or nearer
   /// by, so that what was mapped meanwhile around it follows in size too.
   std::vector<KeyframeMove> keyframes;

@@ -33,6 +33,7 @@ struct LocalMapper::Impl {
   std::uint64_t revision = 0;
   std::uint64_t generation = 0;
   std::uint64_t corrections = 0;
+  std::uint64_t bent = 0;  ///< `corrections` when a loop or another lens last bent the map
   Published<MapSnapshot>* const published;
 
   Impl(const Config& config, const CameraModel& camera, Published<MapSnapshot>* published_in)
@@ -56,8 +57,14 @@ struct LocalMapper::Impl {
     publish();
   }
 
+  /// What was solved before the map was bent or replaced would bend it back.
+  bool isStale(const SolvedOn& snapshot) const {
+    return snapshot.generation != generation || snapshot.corrections < bent;
+  }
+
   void process(const LoopCorrection& message, const std::atomic<bool>* interrupt) {
-    ++corrections;
+    if (isStale(message.snapshot)) return;
+    bent = ++corrections;
     applyCorrection(message, &state.map);
     if (state.map.keyframe(message.edge.newer) != nullptr)
       fuseAround(&state, message.edge.newer, interrupt);
@@ -65,6 +72,7 @@ struct LocalMapper::Impl {
   }
 
   void process(const GlobalAdjustment& message, const std::atomic<bool>*) {
+    if (isStale(message.snapshot)) return;
     ++corrections;
     applyAdjustment(message, &state.map);
     publish();
@@ -91,7 +99,7 @@ struct LocalMapper::Impl {
     publish();  // so that tracking profits before the adjustment
     adjust(id, interrupt);
     cullRedundantKeyframes(&state, id);
-    if (calibration.update(&state)) ++corrections;
+    if (calibration.update(&state)) bent = ++corrections;
   }
 
   void adjust(KeyframeId id, const std::atomic<bool>* interrupt) {

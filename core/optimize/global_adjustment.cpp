@@ -94,6 +94,7 @@ Sim3d moveOf(const SE3d& T_cam_old, const SE3d& T_cam_new, double growth) {
 
 GlobalAdjustment differenceFrom(const MapSnapshot& map, const BundleProblem& solved) {
   GlobalAdjustment adjustment;
+  adjustment.snapshot = {map.generation(), map.corrections()};
   const std::vector<double> growth = growthOfViews(map, solved);
   adjustment.keyframes.reserve(solved.cameras.size());
   for (std::size_t i = 0; i < solved.cameras.size(); ++i) {

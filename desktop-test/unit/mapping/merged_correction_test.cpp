@@ -69,6 +69,7 @@ class DriftingWalk {
   /// before. The keyframes that follow let local adjustment take up the strain.
   void drift(const Vec7d& per_keyframe) {
     LoopCorrection correction;
+    correction.snapshot = {map()->generation(), map()->corrections()};
     Sim3d S_drifted_world;
     for (const auto& keyframe : map()->keyframes()) {
       const SE3d& T = keyframe.T_cam_world;
@@ -84,6 +85,7 @@ class DriftingWalk {
   /// one's unit.
   LoopCorrection perfectCorrection(const MapSnapshot& map) const {
     LoopCorrection correction;
+    correction.snapshot = {map.generation(), map.corrections()};
     const double unit = unitAround(map, map.keyframes().front());
     for (const auto& keyframe : map.keyframes()) {
       const SE3d& T_old = keyframe.T_cam_world;
@@ -209,6 +211,25 @@ TEST_F(MergedCorrection, OfGlobalAdjustmentStraightensWhatWasMappedMeanwhile) {
   const auto adjustment = adjustGlobally(walk_.camera(), *snapshot_, {ScaleLevels(1.2, 8)});
   ASSERT_TRUE(adjustment.has_value());
   expectStraightened(*adjustment);
+}
+
+TEST_F(MergedCorrection, IsIgnoredWhenTheMapWasBentOrReplacedSince) {
+  const LoopCorrection correction = walk_.perfectCorrection(*snapshot_);
+  const auto adjustment = adjustGlobally(walk_.camera(), *snapshot_, {ScaleLevels(1.2, 8)});
+  walk_.process(correction);
+  const auto corrected = walk_.map();
+  walk_.process(correction);
+  walk_.process(*adjustment);
+  EXPECT_EQ(walk_.map()->corrections(), corrected->corrections());
+
+  LoopCorrection late = walk_.perfectCorrection(*corrected);
+  walk_.process(ClearMap{});
+  const std::uint64_t corrections = walk_.map()->corrections();
+  walk_.process(late);
+  EXPECT_EQ(walk_.map()->corrections(), corrections);
+  late.snapshot.generation = walk_.map()->generation();
+  walk_.process(late);  // an empty map has nothing to move
+  EXPECT_TRUE(walk_.map()->empty());
 }
 
 }  // namespace
