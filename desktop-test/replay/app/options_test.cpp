@@ -76,10 +76,6 @@ TEST(Options, ReadSelectionAndOutputs) {
                                   "0.9",
                                   "-o",
                                   "there",
-                                  "--map-in",
-                                  "a.glmap",
-                                  "--map-out",
-                                  "b.glmap",
                                   "--gt",
                                   "gt.txt",
                                   "--fps",
@@ -96,13 +92,14 @@ TEST(Options, ReadSelectionAndOutputs) {
   EXPECT_EQ(options.output, "there");
   EXPECT_EQ(options.groundtruth, "gt.txt");
   EXPECT_EQ(options.fps, 15.0);
-  EXPECT_EQ(options.map_in, "a.glmap");
-  EXPECT_EQ(options.map_out, "b.glmap");
 }
 
-TEST(Options, LocalizeOnlyInAMap) {
-  EXPECT_THAT(parsed({"data", "--map-in", "a.glmap", "--localize-only"}).settings,
-              ElementsAre("mode=localization_only"));
+TEST(Options, NameMapsAndLocalizeOnlyInOne) {
+  const Options options =
+      parsed({"data", "--map-in", "a.glmap", "--map-out", "b.glmap", "--localize-only"});
+  EXPECT_EQ(options.map_in, "a.glmap");
+  EXPECT_EQ(options.map_out, "b.glmap");
+  EXPECT_THAT(options.settings, ElementsAre("mode=localization_only"));
   testing::internal::CaptureStderr();
   EXPECT_EQ(exitCode({"data", "--localize-only"}), kUsage);
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("--map-in"));
