@@ -94,6 +94,7 @@ std::optional<Placement> widen(const Config& config,
   PoseEstimate pose;
   Placement placement;
   placement.T_cam_world = suggestion.T_cam_world;
+  placement.recognized = static_cast<int>(suggestion.seen.size());
   for (const double window : kWindows) {
     matches = LandmarkMatches();
     search.beginFrame();

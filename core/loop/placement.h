@@ -16,6 +16,7 @@ namespace glide {
 /// A pose of a frame in the map and all that speaks for it.
 struct Placement {
   SE3d T_cam_world;
+  int recognized = 0;         ///< landmarks that suggested the pose: by their looks alone
   KeyframeId reference;       ///< shares the most landmarks with the frame
   double likely = 0.0;        ///< landmarks in view, each weighted by how often tracking found it
   int matched = 0;            ///< of these, found near their projections by their looks

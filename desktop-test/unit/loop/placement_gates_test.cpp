@@ -9,6 +9,7 @@ namespace {
 
 Placement good() {
   Placement placement;
+  placement.recognized = 60;
   placement.likely = 300.0;
   placement.matched = 120;
   placement.inliers = 100;
@@ -26,6 +27,12 @@ Placement with(int inliers) {
 
 TEST(PlacementGates, AcceptAGoodPlacement) { EXPECT_TRUE(isBeyondDoubt(good())); }
 
+TEST(PlacementGates, RefuseWhatOnlyFitsWhereOneLooksForIt) {
+  Placement placement = good();
+  placement.recognized = 29;
+  EXPECT_FALSE(isBeyondDoubt(placement));
+}
+
 TEST(PlacementGates, RefuseFewInliers) {
   Placement placement = with(39);
   placement.matched = 40;
@@ -34,7 +41,7 @@ TEST(PlacementGates, RefuseFewInliers) {
 
 TEST(PlacementGates, RefuseWhereMostOfWhatShouldBeThereIsNot) {
   Placement placement = good();
-  placement.likely = 1100.0;
+  placement.likely = 700.0;
   EXPECT_FALSE(isBeyondDoubt(placement));
 }
 
