@@ -96,7 +96,8 @@ BENCHMARK(BM_MappingCulling)->Unit(benchmark::kMillisecond);
 
 void BM_MappingSnapshot(benchmark::State& bench) {
   runStep(bench, [](MapperState* state, KeyframeId) {
-    benchmark::DoNotOptimize(snapshotOf(state->map, {1, 1, 0, state->config.mapping.min_covisibility}));
+    benchmark::DoNotOptimize(
+        snapshotOf(state->map, {1, 1, 0, state->config.mapping.min_covisibility}));
   });
 }
 BENCHMARK(BM_MappingSnapshot)->Unit(benchmark::kMillisecond);
