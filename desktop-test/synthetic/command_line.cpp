@@ -10,8 +10,12 @@ namespace glide::synthetic {
 
 namespace {
 
-const std::map<std::string, SceneKind> kScenes{
-    {"room", SceneKind::room}, {"facade", SceneKind::facade}, {"desk", SceneKind::desk}};
+const std::map<std::string, SceneKind> kScenes{{"room", SceneKind::room},
+                                               {"facade", SceneKind::facade},
+                                               {"desk", SceneKind::desk},
+                                               {"corridor", SceneKind::corridor},
+                                               {"hall", SceneKind::hall},
+                                               {"arcade", SceneKind::arcade}};
 const std::map<std::string, Layout> kLayouts{{"tum", Layout::tum}, {"euroc", Layout::euroc}};
 const std::map<std::string, DistortionModel> kCameras{
     {"pinhole", DistortionModel::none},
@@ -21,6 +25,7 @@ const std::map<std::string, MotionKind> kMotions{{"handheld", MotionKind::handhe
                                                  {"sweep", MotionKind::sweep},
                                                  {"orbit", MotionKind::orbit},
                                                  {"corridor", MotionKind::corridor},
+                                                 {"walk", MotionKind::walk},
                                                  {"rotation", MotionKind::rotation},
                                                  {"static", MotionKind::still}};
 
@@ -81,7 +86,8 @@ void addSceneOptions(CLI::App* app, Command* command) {
   SequenceOptions& sequence = command->sequence;
   addChoice(app, "--scene", kScenes, &sequence.scene, "what is seen (default room)");
   addChoice(app, "--layout", kLayouts, &command->layout, "files to write (default tum)");
-  app->add_option("--frames", sequence.frames, "number of images")->capture_default_str();
+  app->add_option("--frames", sequence.frames, "number of images; 0 = the whole walk")
+      ->capture_default_str();
   app->add_option("--fps", sequence.fps, "images per second")->capture_default_str();
   app->add_option("--seed", sequence.seed, "textures and noise; the same seed gives the same bytes")
       ->capture_default_str();
@@ -99,6 +105,29 @@ void addMotionOptions(CLI::App* app, Motion* motion) {
     motion->pause_begin_s = range.first;
     motion->pause_end_s = range.last;
   });
+}
+
+const std::map<std::string, KidnapView> kKidnapViews{
+    {"", KidnapView::black}, {":black", KidnapView::black}, {":foreign", KidnapView::foreign}};
+
+void addKidnap(CLI::App* app, Kidnap* kidnap) {
+  app->add_option_function<std::string>(
+         "--kidnap",
+         [kidnap](const std::string& text) {
+           int length = 0;
+           const int fields =
+               std::sscanf(text.c_str(), "%d:%d%n", &kidnap->begin, &kidnap->end, &length);
+           const auto view =
+               kKidnapViews.find(fields == 2 ? text.substr(static_cast<std::size_t>(length)) : "?");
+           if (view == kKidnapViews.end()) {
+             throw CLI::ValidationError("--kidnap",
+                                        "'" + text + "' is not of the form A:B[:black|foreign]");
+           }
+           kidnap->view = view->second;
+         },
+         "images A to B - 1 are black or of another place; then the camera is back on its earlier "
+         "path, a little beside it")
+      ->option_text("A:B[:black|foreign]");
 }
 
 void addSensorOptions(CLI::App* app, Sensor* sensor) {
@@ -164,6 +193,7 @@ std::optional<Command> parseCommandLine(int argc, char** argv, int* exit_status)
   addChoice(&app, "--camera", kCameras, &model, "lens model (default pinhole)");
   addSize(&app, &size);
   addMotionOptions(&app, &command.sequence.motion);
+  addKidnap(&app, &command.sequence.kidnap);
   addSensorOptions(&app, &command.sequence.sensor);
   try {
     app.parse(argc, argv);

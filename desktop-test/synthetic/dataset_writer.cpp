@@ -124,26 +124,32 @@ Files beginEuroc(const fs::path& folder, const SequenceOptions& options) {
           eurocCalibration(options)};
 }
 
-/// Adds a frame to the lists; returns the name of its image.
-std::string addTumFrame(std::int64_t t_ns, const SE3d& T_world_cam, Files* files) {
+/// Adds an image to the list; returns its name.
+std::string addTumImage(std::int64_t t_ns, Files* files) {
   const std::string name = secondsText(t_ns, 6) + ".png";
   files->image_lines += secondsText(t_ns, 6) + " rgb/" + name + "\n";
+  return name;
+}
+
+std::string addEurocImage(std::int64_t t_ns, Files* files) {
+  const std::string stamp = std::to_string(t_ns), name = stamp + ".png";
+  files->image_lines += stamp + "," + name + "\n";
+  return name;
+}
+
+void addTumTruth(std::int64_t t_ns, const SE3d& T_world_cam, Files* files) {
   const Vec3d& t = T_world_cam.t;
   const Eigen::Quaterniond& q = T_world_cam.q;
   files->truth_lines += secondsText(t_ns, 6) + format(" %.9f %.9f %.9f", t.x(), t.y(), t.z()) +
                         format(" %.9f %.9f %.9f %.9f\n", q.x(), q.y(), q.z(), q.w());
-  return name;
 }
 
-std::string addEurocFrame(std::int64_t t_ns, const SE3d& T_world_cam, Files* files) {
-  const std::string stamp = std::to_string(t_ns), name = stamp + ".png";
-  files->image_lines += stamp + "," + name + "\n";
+void addEurocTruth(std::int64_t t_ns, const SE3d& T_world_cam, Files* files) {
   const SE3d T_world_body = T_world_cam * bodyFromCamera().inverse();
   const Vec3d& t = T_world_body.t;
   const Eigen::Quaterniond& q = T_world_body.q;
-  files->truth_lines += stamp + format(",%.9f,%.9f,%.9f", t.x(), t.y(), t.z()) +
+  files->truth_lines += std::to_string(t_ns) + format(",%.9f,%.9f,%.9f", t.x(), t.y(), t.z()) +
                         format(",%.9f,%.9f,%.9f,%.9f\n", q.w(), q.x(), q.y(), q.z());
-  return name;
 }
 
 Status makeFolders(const Files& files) {
@@ -167,9 +173,10 @@ Status writeDataset(Sequence* sequence,
   if (const Status status = makeFolders(files); !status) return status;
   ImageU8 image;
   for (int frame = 0; frame < sequence->size(); ++frame) {
-    const auto addFrame = is_tum ? addTumFrame : addEurocFrame;
-    const std::string name =
-        addFrame(sequence->timestamp(frame), sequence->T_world_cam(frame), &files);
+    const std::int64_t t_ns = sequence->timestamp(frame);
+    const std::string name = (is_tum ? addTumImage : addEurocImage)(t_ns, &files);
+    if (!sequence->isKidnapped(frame))
+      (is_tum ? addTumTruth : addEurocTruth)(t_ns, sequence->T_world_cam(frame), &files);
     sequence->image(frame, &image);
     if (const Status status = writePng(files.images / name, image); !status) return status;
     progress(frame + 1);

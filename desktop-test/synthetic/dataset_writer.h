@@ -19,7 +19,8 @@ enum class Layout {
 using Progress = std::function<void(int)>;
 
 /// Renders the whole sequence into `folder`, which is made when missing; files in the way are
-/// replaced. io error naming the file that cannot be written.
+/// replaced. Frames in which the camera is carried away have no ground truth. io error naming the
+/// file that cannot be written.
 Status writeDataset(Sequence* sequence,
                     Layout layout,
                     const std::filesystem::path& folder,

@@ -2,6 +2,7 @@
 
 #include "synthetic/materials.h"
 #include "synthetic/texture.h"
+#include "synthetic/way.h"
 
 #include "geometry/eigen_types.h"
 
@@ -11,9 +12,12 @@
 namespace glide::synthetic {
 
 enum class SceneKind {
-  room,    ///< furnished room, about 1.5 m from the camera
-  facade,  ///< street front with things before it, about 6 m from the camera
-  desk,    ///< table top, exactly planar, about 0.9 m from the camera
+  room,      ///< furnished room, about 1.5 m from the camera
+  facade,    ///< street front with things before it, about 6 m from the camera
+  desk,      ///< table top, exactly planar, about 0.9 m from the camera
+  corridor,  ///< corridor around a block of rooms, 60 to 200 m once around
+  hall,      ///< store with shelves, 60 to 200 m once around along its walls
+  arcade,    ///< street front of 30 to 60 m whose bays are alike; odd seeds repeat the masonry, too
 };
 
 /// A rectangle in the world (x right, y down, z forward, metres), visible from the side of its
@@ -26,7 +30,10 @@ struct Surface {
   float width = 1.0F, height = 1.0F;  ///< along axis_u and axis_v
   Material material = Material::wall;
   float texels_per_m = 1.0F;
-  Texture texture;  ///< radiance, lit
+  int pattern = kUnique;  ///< surfaces of the same size, material and pattern are painted alike
+  Texture texture;        ///< radiance, lit
+
+  static constexpr int kUnique = -1;
 };
 
 /// How a camera looks at the scene: the motions are relative to it.
@@ -35,6 +42,7 @@ struct Viewpoint {
   double depth = 1.5;  ///< typical distance of what is seen, metres; scales the motions
   Vec3d orbit_center = Vec3d::Zero();            ///< what the orbit motion turns around
   double orbit_radius = 1.0, orbit_arc = 6.283;  ///< metres, radians
+  Way way = {};  ///< what the walk motion follows; empty where there is none
 };
 
 /// Textured rectangles under fixed lamps. Immutable once made; safe to share between threads.

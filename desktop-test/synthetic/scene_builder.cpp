@@ -47,6 +47,12 @@ void applyLight(const LightMap& light, Canvas* canvas) {
   }
 }
 
+/// The same for all surfaces that are to look alike.
+std::uint64_t patternSeed(const Surface& surface, std::uint64_t seed) {
+  const auto pattern = static_cast<std::uint64_t>(surface.pattern);
+  return mixBits(mixBits(seed) ^ mixBits(pattern)) + static_cast<std::uint64_t>(surface.material);
+}
+
 }  // namespace
 
 void addSurface(
@@ -74,7 +80,9 @@ void addBox(const Box& box, float texels_per_m, Scene* scene) {
         box.center + R_world_box * Vec3f(0.5F * face.corner.cwiseProduct(box.size));
     const Vec3f along_u = R_world_box * face.along_u.cwiseProduct(box.size);
     const Vec3f along_v = R_world_box * face.along_v.cwiseProduct(box.size);
-    addSurface(corner, along_u, along_v, lookOf(material, texels_per_m), scene);
+    Surface look = lookOf(material, texels_per_m);
+    look.pattern = box.pattern;
+    addSurface(corner, along_u, along_v, look, scene);
   }
 }
 
@@ -125,7 +133,8 @@ void addTable(const Table& table, float texels_per_m, Scene* scene) {
 void finishScene(const Lighting& lighting, std::uint64_t seed, Scene* scene) {
   std::uint64_t index = 0;
   for (Surface& surface : scene->surfaces) {
-    Random random(mixBits(seed) + index++);
+    const std::uint64_t own = mixBits(seed) + index++;
+    Random random(surface.pattern == Surface::kUnique ? own : patternSeed(surface, seed));
     Canvas canvas = makeCanvas(surface);
     paint(surface.material, &canvas, &random);
     applyLight(computeLight(lighting, *scene, surface), &canvas);
@@ -141,6 +150,12 @@ Scene makeScene(SceneKind kind, std::uint64_t seed) {
       return makeFacade(seed);
     case SceneKind::desk:
       return makeDesk(seed);
+    case SceneKind::corridor:
+      return makeCorridor(seed);
+    case SceneKind::hall:
+      return makeHall(seed);
+    case SceneKind::arcade:
+      return makeArcade(seed);
   }
   return {};
 }

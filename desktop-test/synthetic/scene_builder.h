@@ -11,6 +11,7 @@ struct Box {
   Vec3f size = Vec3f::Ones();  ///< width (x), height (y), depth (z) before turning
   float yaw = 0.0F;            ///< radians
   Material front = Material::wood, side = Material::wood, top = Material::wood;
+  int pattern = Surface::kUnique;  ///< boxes of the same pattern and size are alike
 };
 
 /// Adds the five faces that can be seen (all but the bottom).
@@ -41,5 +42,8 @@ void finishScene(const Lighting& lighting, std::uint64_t seed, Scene* scene);
 Scene makeRoom(std::uint64_t seed);
 Scene makeFacade(std::uint64_t seed);
 Scene makeDesk(std::uint64_t seed);
+Scene makeCorridor(std::uint64_t seed);
+Scene makeHall(std::uint64_t seed);
+Scene makeArcade(std::uint64_t seed);
 
 }  // namespace glide::synthetic

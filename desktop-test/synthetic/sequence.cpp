@@ -20,7 +20,8 @@ Status checkOptions(const SequenceOptions& options) {
   const auto invalid = [](const std::string& what) {
     return Error{ErrorCode::invalid_argument, what};
   };
-  if (options.frames < 1) return invalid("frames: must be at least 1");
+  const bool is_walk = options.motion.kind == MotionKind::walk;
+  if (options.frames < (is_walk ? 0 : 1)) return invalid("frames: must be at least 1");
   if (!(options.fps > 0.0)) return invalid("fps: must be greater than 0");
   if (!(sensor.noise >= 0.0)) return invalid("noise: must not be negative");
   if (!(sensor.gain_begin > 0.0 && sensor.gain_end > 0.0))
@@ -33,7 +34,26 @@ Status checkOptions(const SequenceOptions& options) {
   if (!(sensor.readout_s >= 0.0 && sensor.readout_s <= frame_s)) {
     return invalid("rolling shutter: must be between 0 and the time of one frame");
   }
+  const Kidnap& kidnap = options.kidnap;
+  if (kidnap.end < kidnap.begin || kidnap.begin < 0) return invalid("kidnap: must run from A to B");
   return Unit{};
+}
+
+/// As many frames as the walk takes.
+int framesOfWalk(const SequenceOptions& options, const Scene& scene) {
+  return 1 + static_cast<int>(duration(scene.viewpoint.way) / options.motion.speed * options.fps);
+}
+
+/// A view of another place.
+SequenceOptions foreignOptions(const SequenceOptions& options) {
+  SequenceOptions foreign;
+  foreign.scene = options.scene == SceneKind::facade ? SceneKind::room : SceneKind::facade;
+  foreign.camera = options.camera;
+  foreign.sensor = options.sensor;
+  foreign.frames = options.frames;
+  foreign.fps = options.fps;
+  foreign.seed = mixBits(options.seed);
+  return foreign;
 }
 
 void average(const ImageF& image, int samples, ImageF* sum) {
@@ -83,41 +103,76 @@ Result<Sequence> Sequence::create(const SequenceOptions& options,
   if (const Status status = checkOptions(options); !status) return status.error();
   const Result<CameraModel> camera = CameraModel::create(options.camera);
   if (!camera) return camera.error();
-  return Sequence(options, *camera, std::move(scene));
+  SequenceOptions complete = options;
+  if (options.motion.kind == MotionKind::walk) {
+    if (scene->viewpoint.way.x_z_yaw.empty())
+      return Error{ErrorCode::invalid_argument, "motion: this scene has no way to walk"};
+    if (options.frames == 0) complete.frames = framesOfWalk(options, *scene);
+  }
+  Sequence sequence(complete, *camera, std::move(scene));
+  const Kidnap& kidnap = options.kidnap;
+  if (kidnap.end > kidnap.begin && kidnap.view == KidnapView::foreign) {
+    Result<Sequence> elsewhere = create(foreignOptions(complete));
+    if (!elsewhere) return elsewhere.error();
+    sequence.elsewhere_ = std::make_unique<Sequence>(std::move(*elsewhere));
+  }
+  return sequence;
 }
 
 Sequence::Sequence(const SequenceOptions& options,
                    const CameraModel& camera,
                    std::shared_ptr<const Scene> scene)
-    : options_(options), camera_(camera), scene_(std::move(scene)), renderer_(camera) {}
+    : options_(options),
+      camera_(camera),
+      scene_(std::move(scene)),
+      renderer_(camera),
+      return_(returnAfter(seconds(options.kidnap.begin), scene_->viewpoint.depth, options.seed)) {}
 
 std::int64_t Sequence::timestamp(int frame) const {
   return kFirstTimestamp + static_cast<std::int64_t>(std::llround(seconds(frame) * kNsPerS));
 }
 
-SE3d Sequence::T_world_cam(int frame) const {
-  return poseAt(options_.motion, scene_->viewpoint, seconds(frame));
+bool Sequence::isKidnapped(int frame) const {
+  return frame >= options_.kidnap.begin && frame < options_.kidnap.end;
 }
 
-void Sequence::renderAt(double t_s) {
+SE3d Sequence::poseNear(int frame, double offset_s) const {
+  const Kidnap& kidnap = options_.kidnap;
+  const auto pathAt = [this](double t_s) {
+    return poseAt(options_.motion, scene_->viewpoint, t_s);
+  };
+  if (isKidnapped(frame)) return pathAt(seconds(std::max(0, kidnap.begin - 1)));
+  if (kidnap.end == kidnap.begin || frame < kidnap.begin) return pathAt(seconds(frame) + offset_s);
+  return pathAt(return_.t_s + seconds(frame - kidnap.end) + offset_s) * return_.T_path_cam;
+}
+
+SE3d Sequence::T_world_cam(int frame) const { return poseNear(frame, 0.0); }
+
+void Sequence::render(int frame, double offset_s) {
   const double readout = options_.sensor.readout_s;
   const int rows = readout > 0.0 ? camera_.height() : 1;
   row_poses_.clear();
   for (int row = 0; row < rows; ++row) {
     const double offset = rows == 1 ? 0.0 : readout * (static_cast<double>(row) / (rows - 1) - 0.5);
-    row_poses_.push_back(poseAt(options_.motion, scene_->viewpoint, t_s + offset));
+    row_poses_.push_back(poseNear(frame, offset_s + offset));
   }
   renderer_.render(*scene_, row_poses_, &rendering_);
 }
 
-void Sequence::image(int frame, ImageU8* out) {
+void Sequence::expose(int frame) {
   const Sensor& sensor = options_.sensor;
   const int samples = sensor.shutter_s > 0.0 ? sensor.shutter_samples : 1;
-  clear(camera_.width(), camera_.height(), &exposed_);
   for (int k = 0; k < samples; ++k) {
-    renderAt(seconds(frame) + sensor.shutter_s * ((k + 0.5) / samples - 0.5));
+    render(frame, sensor.shutter_s * ((k + 0.5) / samples - 0.5));
     average(rendering_.radiance, samples, &exposed_);
   }
+}
+
+void Sequence::image(int frame, ImageU8* out) {
+  if (isKidnapped(frame) && elsewhere_) return elsewhere_->image(frame, out);
+  const Sensor& sensor = options_.sensor;
+  clear(camera_.width(), camera_.height(), &exposed_);
+  if (!isKidnapped(frame)) expose(frame);
   const double share =
       options_.frames > 1 ? static_cast<double>(frame) / (options_.frames - 1) : 0.0;
   const std::uint64_t seed = mixBits(options_.seed) + static_cast<std::uint64_t>(frame);
@@ -125,7 +180,7 @@ void Sequence::image(int frame, ImageU8* out) {
 }
 
 const Rendering& Sequence::rendering(int frame) {
-  renderAt(seconds(frame));
+  render(frame, 0.0);
   return rendering_;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synthetic/kidnap.h"
 #include "synthetic/renderer.h"
 #include "synthetic/scene.h"
 #include "synthetic/sensor.h"
@@ -23,7 +24,8 @@ struct SequenceOptions {
   CameraIntrinsics camera;
   Motion motion;
   Sensor sensor;
-  int frames = 300;
+  Kidnap kidnap;
+  int frames = 300;  ///< 0 = as many as the walk takes (MotionKind::walk only)
   double fps = 30.0;
   std::uint64_t seed = 1;
 };
@@ -49,8 +51,10 @@ class Sequence {
 
   /// Middle of the exposure of the middle row, nanoseconds.
   std::int64_t timestamp(int frame) const;
-  /// True pose at that instant.
+  /// True pose at that instant; where the camera was last seen while it is carried away.
   SE3d T_world_cam(int frame) const;
+  /// Whether the camera is carried away and sees nothing of the scene.
+  bool isKidnapped(int frame) const;
 
   /// What the camera delivers.
   void image(int frame, ImageU8* out);
@@ -62,7 +66,11 @@ class Sequence {
            const CameraModel& camera,
            std::shared_ptr<const Scene> scene);
   double seconds(int frame) const { return frame / options_.fps; }
-  void renderAt(double t_s);
+  /// Pose `offset_s` seconds after the middle of a frame's exposure.
+  SE3d poseNear(int frame, double offset_s) const;
+  void render(int frame, double offset_s);
+  /// Averages what falls onto the sensor during a frame's exposure into exposed_.
+  void expose(int frame);
 
   SequenceOptions options_;
   CameraModel camera_;
@@ -70,6 +78,8 @@ class Sequence {
   Renderer renderer_;
   Rendering rendering_;
   ImageF exposed_;  ///< radiance averaged over the exposure
+  Return return_;
+  std::unique_ptr<Sequence> elsewhere_;  ///< what is seen while being carried away; null = black
   std::vector<SE3d> row_poses_;
 };
 

@@ -59,10 +59,20 @@ SE3d orbit(double t, const Viewpoint& viewpoint) {
   const bool is_round = viewpoint.orbit_arc > 6.0;
   const double angle =
       is_round ? kTwoPi * t / kPeriod : 0.5 * viewpoint.orbit_arc * wave(t, kPeriod);
+  const double radius =
+      viewpoint.orbit_radius * (1.0 + 0.05 * wave(t, 33.1));  // no two rounds alike
   const double height = 0.35 * viewpoint.orbit_radius * (1.0 + 0.15 * wave(t, 7.0));
-  const Vec3d offset(
-      viewpoint.orbit_radius * std::sin(angle), -height, -viewpoint.orbit_radius * std::cos(angle));
+  const Vec3d offset(radius * std::sin(angle), -height, -radius * std::cos(angle));
   return lookAt(viewpoint.orbit_center + offset, viewpoint.orbit_center);
+}
+
+SE3d walk(double t, const Viewpoint& viewpoint) {
+  const Vec3d x_z_yaw = wayAt(viewpoint.way, t);
+  const SE3d T_world_path = {Eigen::Quaterniond(Eigen::AngleAxisd(x_z_yaw.z(), Vec3d::UnitY())),
+                             Vec3d(x_z_yaw.x(), viewpoint.eye.y(), x_z_yaw.y())};
+  const Vec3d sway(0.05 * wave(t, 3.7), 0.03 * wave(t, 1.9), 0.0);  // metres
+  const Vec3d turn(0.04 * wave(t, 4.3), 0.02 * wave(t, 2.3), 0.015 * wave(t, 3.1));
+  return T_world_path * moveAndTurn(sway, turn);
 }
 
 /// Runs like t, but stands still in the pause; slows down and speeds up over kFade.
@@ -89,6 +99,8 @@ SE3d moved(const Motion& motion, const Viewpoint& viewpoint, double t) {
       return T_world_start * sweep(t, viewpoint.depth);
     case MotionKind::corridor:
       return T_world_start * corridor(t, viewpoint.depth);
+    case MotionKind::walk:
+      return walk(t, viewpoint);
     case MotionKind::rotation:
       return T_world_start * rotation(t);
     case MotionKind::orbit:

@@ -12,6 +12,7 @@ enum class MotionKind {
   sweep,     ///< wide sideways travel and back, looking ahead
   orbit,     ///< around the scene's centre, looking at it
   corridor,  ///< along the optical axis with some sway
+  walk,      ///< along the scene's way; only where there is one
   rotation,  ///< turning on the spot
   still,     ///< standing still
 };
