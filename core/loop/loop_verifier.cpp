@@ -34,7 +34,10 @@ constexpr int kMinPairs = 15;
 constexpr int kMinSurePairs = 25;
 constexpr int kMinSureMatches = 40;
 constexpr int kMinSureCells = 6;
-constexpr double kMinSureShare = 0.2;
+constexpr double kMinSureShare = 0.1;
+// Of the matches by look, true loops explain two thirds and more; where structure repeats, each
+// repetition takes its part, and the best one gets a fifth.
+constexpr double kMinAgreeingShare = 0.4;
 
 constexpr int kGrid = 4;  // cells per side of the image
 
@@ -126,16 +129,22 @@ ProjectedSearch searchOlder(const Sides& sides, const Sim3d& S_newer_older, doub
   return searchProjected(sides.camera, sides.levels, view, sides.newer.landmarks, options);
 }
 
-std::optional<Sim3d> firstGuess(const Sides& sides) {
+struct FirstGuess {
+  Sim3d S_newer_older;
+  double agreeing_share = 0.0;
+};
+
+std::optional<FirstGuess> guessByLook(const Sides& sides) {
   const auto matches = matchByLook(sides.newer.keyframe, sides.map, sides.older.landmarks);
   Sim3RansacOptions options;
   options.max_error2 = kRansacError2;
   options.iterations = kRansacIterations;
   options.min_inliers = kMinRansacInliers;
   options.seed = sides.newer.keyframe.id.value + 1;
-  const auto found = solveSim3(sides.camera, pairsOf(sides, matches), options);
+  const std::vector<Sim3Pair> pairs = pairsOf(sides, matches);
+  const auto found = solveSim3(sides.camera, pairs, options);
   if (!found) return std::nullopt;
-  return found->S_a_b;
+  return FirstGuess{found->S_a_b, found->inliers / static_cast<double>(pairs.size())};
 }
 
 /// Rounds of guided matches and refinement; the pairs that agree in the end.
@@ -177,9 +186,9 @@ std::optional<LoopGeometry> LoopVerifier::verify(const KeyframeEntry& newer,
                                                  const MapSnapshot& map) const {
   const Sides sides{
       camera_, levels_, map, placeAround(newer, older, map), placeAround(older, newer, map)};
-  const std::optional<Sim3d> guess = firstGuess(sides);
+  const std::optional<FirstGuess> guess = guessByLook(sides);
   if (!guess) return std::nullopt;
-  const std::optional<Sim3Estimate> estimate = refine(sides, *guess);
+  const std::optional<Sim3Estimate> estimate = refine(sides, guess->S_newer_older);
   if (!estimate) return std::nullopt;
 
   const ProjectedSearch in_newer = searchNewer(sides, estimate->S_a_b, kWindowsPx.back());
@@ -189,6 +198,7 @@ std::optional<LoopGeometry> LoopVerifier::verify(const KeyframeEntry& newer,
   geometry.older = older.id;
   geometry.S_newer_older = estimate->S_a_b;
   geometry.matches = in_newer.matches;
+  geometry.agreeing_share = guess->agreeing_share;
   geometry.pairs = estimate->inliers;
   geometry.cells = occupiedCells(camera_, *newer.features, in_newer.matches);
   geometry.share_newer = shareOf(in_newer);
@@ -197,7 +207,8 @@ std::optional<LoopGeometry> LoopVerifier::verify(const KeyframeEntry& newer,
 }
 
 bool isBeyondDoubt(const LoopGeometry& geometry) {
-  return geometry.pairs >= kMinSurePairs && geometry.cells >= kMinSureCells &&
+  return geometry.agreeing_share >= kMinAgreeingShare && geometry.pairs >= kMinSurePairs &&
+         geometry.cells >= kMinSureCells &&
          static_cast<int>(geometry.matches.size()) >= kMinSureMatches &&
          geometry.share_newer >= kMinSureShare && geometry.share_older >= kMinSureShare;
 }

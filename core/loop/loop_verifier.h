@@ -18,6 +18,7 @@ struct LoopGeometry {
   KeyframeId newer, older;
   Sim3d S_newer_older;  ///< between the cameras, each in the unit of its surroundings
   std::vector<LandmarkMatch> matches;  ///< features of the newer with landmarks around the older
+  double agreeing_share = 0.0;         ///< of the matches by look that the similarity explains
   int pairs = 0;                       ///< landmarks of both sides that agree in both images
   int cells = 0;                       ///< sixteenths of the newer's image with a match
   double share_newer = 0.0;            ///< matched of the old landmarks the newer should see
