@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -159,6 +160,36 @@ TEST(LoopCloser, RefusesTheNextPeriodOfARepetitiveFront) {
                                          *snapshot);
   ASSERT_TRUE(lookalike.has_value());
   EXPECT_TRUE(isBeyondDoubt(*lookalike));
+}
+
+/// Along a front, away from it for so long that the map may be off by any part of the front, and
+/// back to where it began. Tells whether a loop was found.
+bool comesBack(double repeat_x) {
+  test::SyntheticCloudOptions options;
+  options.points = 3500;
+  options.high.x() = 28.0;
+  options.repeat_x = repeat_x;
+  DriftedMap map(options, lens(), 0.02 * test::someDrift());
+  LoopCloser closer(Config{}, lens());
+  constexpr double kStep = 0.6, kBack = 1.5;  // along the front, x of the return
+  constexpr int kAlong = 35, kAway = 20, kAgain = 8;
+  bool is_found = false;
+  for (int i = 0; i < kAlong; ++i) map.add(test::lookAlong(Vec3d(kStep * i, 0.0, 0.0), 0.0));
+  for (int i = 0; i < kAway; ++i) {  // looks at nothing
+    const double z = -10.0 * std::min(i, kAway - i);
+    map.add(test::lookAlong(Vec3d(kStep * (kAlong - i), 0.0, z), 3.1));
+  }
+  for (int i = 0; i < kAgain; ++i) {
+    const KeyframeId id = map.add(test::lookAlong(Vec3d(kBack + kStep * i, 0.0, 0.0), 0.0));
+    is_found |= closer.close(id, *map.snapshot(), map.index(), nullptr).has_value();
+  }
+  return is_found;
+}
+
+TEST(LoopCloser, RefusesAPlaceThatLooksAndFitsLikeAnother) {
+  constexpr double kNever = 0.0, kPeriod = 14.0;
+  EXPECT_TRUE(comesBack(kNever));
+  EXPECT_FALSE(comesBack(kPeriod));
 }
 
 TEST(LoopCloser, IgnoresKeyframesThatAreGone) {
