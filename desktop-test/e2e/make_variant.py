@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
-"""Writes a portrait or cropped copy of a EuRoC sequence, images and calibration alike.
+"""Writes a changed copy of a sequence: portrait, cropped (EuRoC only, needs ffmpeg) or partly black.
 
-usage: make_variant.py SOURCE OUT (--rotate | --crop WxH)
-  --rotate     turn the camera by 90 degrees: pixel (u, v) moves to (height - 1 - v, u)
-  --crop WxH   keep the upper left W x H pixels
-The ground truth is the body's and stays as it is; T_BS and the intrinsics change. Needs ffmpeg.
+usage: make_variant.py SOURCE OUT (--rotate | --crop WxH | --blackout A:B)
+  --rotate        turn the camera by 90 degrees: pixel (u, v) moves to (height - 1 - v, u)
+  --crop WxH      keep the upper left W x H pixels
+  --blackout A:B  images A to B - 1 are black (EuRoC or TUM, PNG images)
+The ground truth is the body's and stays as it is; when the image changes its shape, T_BS and the intrinsics do, too.
 """
 import argparse
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
+import zlib
 
 
 def numbers(text, key):
@@ -67,13 +70,37 @@ def convert(source, target, image_filter):
         os.replace(numbered % index, os.path.join(target, name))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("source")
-    parser.add_argument("out")
-    parser.add_argument("--rotate", action="store_true")
-    parser.add_argument("--crop")
-    options = parser.parse_args()
+def black_png(like):
+    """The bytes of a black gray image as large as the one in the file `like`."""
+    with open(like, "rb") as image:
+        header = image.read(24)
+    if header[12:16] != b"IHDR":
+        sys.exit(f"{like} is no PNG")
+    width, height = struct.unpack(">II", header[16:24])
+    rows = zlib.compress(bytes((1 + width) * height))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    shape = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", shape) + chunk(b"IDAT", rows) + chunk(b"IEND", b"")
+
+
+def black_out(source, target, first, end):
+    shutil.copytree(source, target, dirs_exist_ok=True)
+    folders = [os.path.join(target, *parts) for parts in (("mav0", "cam0", "data"), ("rgb",))]
+    images = next((folder for folder in folders if os.path.isdir(folder)), None)
+    if images is None:
+        sys.exit(f"{source} has neither mav0/cam0/data nor rgb")
+    names = sorted(name for name in os.listdir(images) if name.endswith(".png"))
+    for name in names[first:end]:
+        path = os.path.join(images, name)
+        black = black_png(path)
+        with open(path, "wb") as image:
+            image.write(black)
+
+
+def change_shape(options):
     source = os.path.join(options.source, "mav0")
     target = os.path.join(options.out, "mav0")
     with open(os.path.join(source, "cam0", "sensor.yaml"), encoding="utf-8") as text:
@@ -90,6 +117,21 @@ def main():
     truth = "state_groundtruth_estimate0"
     shutil.copytree(os.path.join(source, truth), os.path.join(target, truth), dirs_exist_ok=True)
     write_sensor(os.path.join(target, "cam0", "sensor.yaml"), camera)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("source")
+    parser.add_argument("out")
+    how = parser.add_mutually_exclusive_group(required=True)
+    how.add_argument("--rotate", action="store_true")
+    how.add_argument("--crop")
+    how.add_argument("--blackout", type=lambda text: [int(v) for v in text.split(":")], metavar="A:B")
+    options = parser.parse_args()
+    if options.blackout:
+        black_out(options.source, options.out, *options.blackout)
+    else:
+        change_shape(options)
 
 
 if __name__ == "__main__":
