@@ -53,6 +53,17 @@ fuzz_suite() {
 
 release_suite() { build release && ctest_in release "$@"; }
 
+# A whole threaded replay under ThreadSanitizer: tracking, mapping, loss, relocalisation, orderly end.
+tsan_replay() {
+  local folder="$root/build/tsan/replay"
+  build release glide-synth && build tsan glide-replay || return
+  "$root/build/release/desktop-test/synthetic/glide-synth" "$folder/sequence" --overwrite --quiet --scene room \
+    --frames 200 --size 320x240 --kidnap 110:120 || return
+  TSAN_OPTIONS="suppressions=$root/scripts/tsan-suppressions.txt" \
+    "$root/build/tsan/desktop-test/replay/glide-replay" "$folder/sequence" --backend cpu --progress none \
+    --output "$folder/out" --require-tracked 0.9
+}
+
 run_test_suites() {
   local quick=no
   if [ "${1:-}" = --quick ]; then
@@ -64,6 +75,7 @@ run_test_suites() {
   if [ "$quick" = no ] && [ $# -eq 0 ]; then
     suite "address and undefined behaviour sanitizers" sanitized asan "${asan_targets[@]}"
     suite "thread sanitizer" sanitized tsan "${tsan_targets[@]}"
+    suite "thread sanitizer on a whole replay" tsan_replay
     suite "fuzzer" fuzz_suite
     suite "library with clang" build clang glide
   fi
