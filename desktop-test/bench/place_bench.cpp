@@ -142,7 +142,7 @@ BENCHMARK_CAPTURE(addPlaces, real, Source::real)->Unit(benchmark::kMillisecond);
 void relocalize(benchmark::State& bench, std::uint64_t seed) {
   const CameraModel lens = test::syntheticCamera(DistortionModel::radial_tangential);
   test::SyntheticCloudOptions cloud;
-  cloud.points = 8000;
+  cloud.points = 3000;
   cloud.noise_px = 0.5;
   cloud.flipped_bits = 20;
   cloud.missed_share = 0.3;
