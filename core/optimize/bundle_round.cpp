@@ -1,5 +1,6 @@
 #include "optimize/bundle_round.h"
 
+#include "optimize/linear_algebra.h"
 #include "optimize/reprojection_cost.h"
 
 #include <ceres/ceres.h>
@@ -91,6 +92,7 @@ ceres::Solver::Options solverOptions(const RoundOptions& options, const RoundPro
   ceres_options.linear_solver_type =
       round.free_cameras <= kMaxDenseCameras ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
   ceres_options.linear_solver_ordering = round.ordering;
+  ceres_options.sparse_linear_algebra_library_type = kSparseLibrary;
   ceres_options.initial_trust_region_radius = options.trust_region_radius;
   ceres_options.max_num_iterations = options.max_iterations;
   ceres_options.function_tolerance =

@@ -1,5 +1,6 @@
 #include "optimize/pose_graph.h"
 
+#include "optimize/linear_algebra.h"
 #include "optimize/similarity_cost.h"
 
 #include <ceres/ceres.h>
@@ -85,6 +86,7 @@ void writeBack(const GraphProblem& solved, PoseGraph* graph) {
 ceres::Solver::Options solverOptions(const PoseGraphOptions& options) {
   ceres::Solver::Options ceres_options;
   ceres_options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  ceres_options.sparse_linear_algebra_library_type = kSparseLibrary;
   ceres_options.initial_trust_region_radius = kInitialTrustRegion;
   ceres_options.max_num_iterations = options.max_iterations;
   ceres_options.function_tolerance = kFunctionTolerance;
