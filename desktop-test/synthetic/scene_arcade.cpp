@@ -15,7 +15,7 @@ constexpr int kStoreys = 3;
 constexpr float kBeyond = 12.0F;  // metres of front beyond the ends of the walk
 
 /// What all bays share gets one pattern each.
-enum Pattern : int { masonry, window, sill, pillar, lantern };
+enum Pattern : int { masonry, window, sill, pillar, lantern, planter };
 
 void addWindow(float x, float y, Scene* scene) {
   constexpr float kDepth = 0.15F;
@@ -39,7 +39,31 @@ void addWindow(float x, float y, Scene* scene) {
          scene);
 }
 
-/// One bay: masonry, windows, a pillar to its left.
+/// A pillar that stands out and a planter on the pavement: depth, without which a street front is
+/// a plane.
+void addForeground(float x, Scene* scene) {
+  constexpr float kPillar = 0.9F, kPlanter = 0.8F;  // metres: depth, height
+  addBox({{x - 0.5F * kPitch, kStreet - 0.5F * kHeight, kWall - 0.5F * kPillar},
+          {0.4F, kHeight, kPillar},
+          0.0F,
+          Material::bricks,
+          Material::bricks,
+          Material::metal,
+          Pattern::pillar},
+         kTexels,
+         scene);
+  addBox({{x + 0.4F, kStreet - 0.5F * kPlanter, kWall - 2.2F},
+          {0.9F, kPlanter, 0.45F},
+          0.0F,
+          Material::fabric,
+          Material::fabric,
+          Material::desk,
+          Pattern::planter},
+         kTexels,
+         scene);
+}
+
+/// One bay: masonry, windows, what stands before them.
 void addBay(float x, int masonry_pattern, Scene* scene) {
   Surface bricks;
   bricks.material = Material::bricks;
@@ -48,19 +72,11 @@ void addBay(float x, int masonry_pattern, Scene* scene) {
   addWall({{x, kStreet, kWall}, {0.0F, 0.0F, -1.0F}, kPitch}, kHeight, bricks, scene);
   for (int storey = 0; storey < kStoreys; ++storey)
     addWindow(x, -0.1F - kStorey * static_cast<float>(storey), scene);
-  addBox({{x - 0.5F * kPitch, kStreet - 0.5F * kHeight, kWall - 0.2F},
-          {0.4F, kHeight, 0.4F},
-          0.0F,
-          Material::bricks,
-          Material::bricks,
-          Material::metal,
-          Pattern::pillar},
-         kTexels,
-         scene);
+  addForeground(x, scene);
 }
 
 void addLantern(float x, Scene* scene) {
-  addBox({{x, kStreet - 1.3F, kWall - 1.6F},
+  addBox({{x, kStreet - 1.3F, kWall - 2.8F},
           {0.18F, 2.6F, 0.18F},
           0.0F,
           Material::metal,
@@ -138,7 +154,7 @@ Scene makeArcade(std::uint64_t seed) {
   }
   addGround(half_length, &scene);
   const Straight line{-0.5 * direction * length, 0.5 * direction * length, 0.0};
-  scene.viewpoint.way = walkStraight(line, {3.0, 1.0, direction * (kAhead - 1.5707963267948966)});
+  scene.viewpoint.way = walkStraight(line, {2.0, 1.0, direction * (kAhead - 1.5707963267948966)});
   scene.viewpoint.eye = {0.0, 0.0, 0.0};
   scene.viewpoint.depth = kWall;
   finishScene({0.85F, {}}, seed, &scene);
