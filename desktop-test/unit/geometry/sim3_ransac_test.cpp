@@ -17,7 +17,7 @@ class Sim3Ransac : public testing::TestWithParam<DistortionModel> {
  protected:
   const CameraModel camera_ = test::syntheticCamera(GetParam());
   const Sim3d S_a_b_ = test::someSimilarity();
-  const Sim3RansacOptions options_;
+  const Sim3RansacOptions options_{};
 };
 
 TEST_P(Sim3Ransac, RecoversTheTruthFromExactPairs) {
