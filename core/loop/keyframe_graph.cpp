@@ -49,6 +49,7 @@ KeyframeGraph::KeyframeGraph(const MapSnapshot& map) : map_(&map) {
   }
   for (const auto& [pair, weight] : weights) links_.push_back({pair.first, pair.second, weight});
   join();
+  for (const MapSnapshot::KeyframeEntry& keyframe : map.keyframes()) neighbors_[keyframe.id];
   for (const KeyframeLink& link : links_) {
     neighbors_[link.older].emplace_back(link.newer, link.weight);
     neighbors_[link.newer].emplace_back(link.older, link.weight);
@@ -66,15 +67,18 @@ void KeyframeGraph::join() {
   std::sort(links_.begin(), links_.end(), isBefore);
 }
 
+const std::vector<std::pair<KeyframeId, int>>& KeyframeGraph::neighborsOf(KeyframeId id) const {
+  return neighbors_.at(id);
+}
+
 std::set<KeyframeId> KeyframeGraph::within(KeyframeId id, int steps) const {
   std::set<KeyframeId> found{id};
-  std::vector<KeyframeId> rim{id};
+  std::vector<KeyframeId> rim;
+  if (map_->keyframe(id) != nullptr) rim.push_back(id);
   for (int step = 0; step < steps; ++step) {
     std::vector<KeyframeId> next;
     for (const KeyframeId from : rim) {
-      const auto neighbors = neighbors_.find(from);
-      if (neighbors == neighbors_.end()) continue;
-      for (const auto& [to, weight] : neighbors->second) {
+      for (const auto& [to, weight] : neighborsOf(from)) {
         if (weight > 0 && found.insert(to).second) next.push_back(to);
       }
     }
@@ -95,10 +99,8 @@ double KeyframeGraph::pathLength(KeyframeId from, KeyframeId to) const {
     open.pop();
     if (id == to) return length;
     if (!shortest.try_emplace(id, length).second) continue;
-    const auto neighbors = neighbors_.find(id);
-    if (neighbors == neighbors_.end()) continue;
     const Vec3d center_world = centerOf(map_->keyframe(id)->T_cam_world);
-    for (const auto& [next, weight] : neighbors->second) {
+    for (const auto& [next, weight] : neighborsOf(id)) {
       if (shortest.count(next) > 0) continue;
       const Vec3d next_world = centerOf(map_->keyframe(next)->T_cam_world);
       open.emplace(length + (next_world - center_world).norm(), next);

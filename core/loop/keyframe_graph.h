@@ -41,6 +41,7 @@ class KeyframeGraph {
   std::map<KeyframeId, std::vector<std::pair<KeyframeId, int>>> neighbors_;  ///< with weights
 
   void join();
+  const std::vector<std::pair<KeyframeId, int>>& neighborsOf(KeyframeId id) const;
 };
 
 }  // namespace glide

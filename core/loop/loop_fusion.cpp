@@ -101,6 +101,7 @@ std::vector<std::pair<LandmarkId, LandmarkId>> ranked(const Votes& votes) {
     return a.second > b.second;
   });
   std::vector<std::pair<LandmarkId, LandmarkId>> pairs;
+  pairs.reserve(counted.size());
   for (const auto& [pair, count] : counted) pairs.push_back(pair);
   return pairs;
 }
@@ -120,6 +121,7 @@ std::vector<LoopCorrection::SamePoint> choose(const Votes& votes, const MapSnaps
     members.push_back(gone);
   }
   std::vector<LoopCorrection::SamePoint> same;
+  same.reserve(kept_of.size());
   for (const auto& [gone, kept] : kept_of) same.push_back({gone, kept});
   return same;
 }

@@ -39,7 +39,7 @@ constexpr double kMinSureShare = 0.1;
 // repetition takes its part, and the best one gets a fifth.
 constexpr double kMinAgreeingShare = 0.4;
 
-constexpr int kGrid = 4;  // cells per side of the image
+constexpr std::size_t kGrid = 4;  // cells per side of the image
 
 /// A keyframe with the landmarks around it.
 struct Place {
@@ -163,12 +163,14 @@ std::optional<Sim3Estimate> refine(const Sides& sides, const Sim3d& S_newer_olde
 int occupiedCells(const CameraModel& camera,
                   const FeatureSet& features,
                   std::span<const LandmarkMatch> matches) {
-  std::bitset<static_cast<std::size_t>(kGrid) * kGrid> occupied;
+  const auto cellOf = [](float position, int size) {
+    const float share = std::max(position, 0.0F) / static_cast<float>(size);
+    return std::min(static_cast<std::size_t>(share * static_cast<float>(kGrid)), kGrid - 1);
+  };
+  std::bitset<kGrid * kGrid> occupied;
   for (const LandmarkMatch& match : matches) {
     const Vec2f& uv = features.feature(static_cast<std::size_t>(match.feature)).uv;
-    const int column = std::clamp(static_cast<int>(kGrid * uv.x()) / camera.width(), 0, kGrid - 1);
-    const int row = std::clamp(static_cast<int>(kGrid * uv.y()) / camera.height(), 0, kGrid - 1);
-    occupied.set(static_cast<std::size_t>(row * kGrid + column));
+    occupied.set(cellOf(uv.y(), camera.height()) * kGrid + cellOf(uv.x(), camera.width()));
   }
   return static_cast<int>(occupied.count());
 }

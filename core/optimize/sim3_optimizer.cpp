@@ -92,8 +92,8 @@ Sim3d minimize(const Sim3Problem& problem, const std::vector<bool>& use, const S
   for (int k = 0; k < kMaxIterations; ++k) {
     const Vec7d step = dampedStep(system, damping);
     if (!step.allFinite()) break;
+    if (-step.dot(system.g) < kConverged) return Sim3d::exp(step) * S_a_b;
     const Sim3d S_trial = Sim3d::exp(step) * S_a_b;
-    if (-step.dot(system.g) < kConverged) return S_trial;
     const NormalEquations trial = linearize(problem, use, S_trial);
     if (trial.cost < system.cost) {
       S_a_b = S_trial;
