@@ -88,6 +88,7 @@ program() {
   case "$1" in
     glide-replay) echo "$root/build/release/desktop-test/replay/glide-replay" ;;
     glide-synth) echo "$root/build/release/desktop-test/synthetic/glide-synth" ;;
+    glide-growth) echo "$root/build/release/desktop-test/suites/glide-growth" ;;
     glide_bench) echo "$root/build/release/desktop-test/bench/glide_bench" ;;
   esac
 }
