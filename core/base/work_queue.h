@@ -29,6 +29,20 @@ class WorkQueue {
     return true;
   }
 
+  /// Takes the item although the queue may be full: for what is rare and must not be lost. False,
+  /// and `item` untouched, when the queue is closed.
+  bool pushAnyway(T& item) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (closed_) return false;
+      items_.push_back(std::move(item));
+      ++pending_;
+      ++pushed_;
+    }
+    ready_.notify_one();
+    return true;
+  }
+
   /// Waits for room. False, and `item` untouched, when the queue is closed.
   bool push(T& item) {
     {

@@ -19,37 +19,33 @@ void Covisibility::change(KeyframeId a, KeyframeId b, int delta) {
 }
 
 void Covisibility::changeDirected(KeyframeId from, KeyframeId to, int delta) {
-  std::vector<CovisibleKeyframe>& edges = edges_[from];
-  auto edge = std::find_if(
-      edges.begin(), edges.end(), [to](const CovisibleKeyframe& e) { return e.id == to; });
-  if (edge == edges.end()) edge = edges.insert(edge, {to, 0});
-  edge->weight += delta;
-  assert(edge->weight >= 0);
-  if (edge->weight > 0) return;
-  *edge = edges.back();
-  edges.pop_back();
+  auto& edges = edges_[from];
+  int& weight = edges[to];
+  weight += delta;
+  assert(weight >= 0);
+  if (weight > 0) return;
+  edges.erase(to);
   if (edges.empty()) edges_.erase(from);
 }
 
 int Covisibility::weight(KeyframeId a, KeyframeId b) const {
   const auto found = edges_.find(a);
   if (found == edges_.end()) return 0;
-  for (const CovisibleKeyframe& edge : found->second) {
-    if (edge.id == b) return edge.weight;
-  }
-  return 0;
+  const auto edge = found->second.find(b);
+  return edge != found->second.end() ? edge->second : 0;
 }
 
 std::vector<CovisibleKeyframe> Covisibility::neighbors(KeyframeId id, int min_weight) const {
   const auto found = edges_.find(id);
   if (found == edges_.end()) return {};
   std::vector<CovisibleKeyframe> result;
-  for (const CovisibleKeyframe& edge : found->second) {
-    if (edge.weight >= min_weight) result.push_back(edge);
+  CovisibleKeyframe best;
+  for (const auto& [other, weight] : found->second) {
+    const CovisibleKeyframe edge{other, weight};
+    if (weight >= min_weight) result.push_back(edge);
+    if (best.weight == 0 || isBetter(edge, best)) best = edge;
   }
-  if (result.empty()) {
-    result.push_back(*std::min_element(found->second.begin(), found->second.end(), isBetter));
-  }
+  if (result.empty()) result.push_back(best);
   std::sort(result.begin(), result.end(), isBetter);
   return result;
 }

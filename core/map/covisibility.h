@@ -22,8 +22,8 @@ class Covisibility {
   std::vector<CovisibleKeyframe> neighbors(KeyframeId id, int min_weight) const;
 
  private:
-  // Flat and unsorted: a keyframe has tens of neighbours, found by a linear scan.
-  std::unordered_map<KeyframeId, std::vector<CovisibleKeyframe>> edges_;
+  // Constant time also where a keyframe sees what thousands see: loaded maps may be hostile.
+  std::unordered_map<KeyframeId, std::unordered_map<KeyframeId, int>> edges_;
 
   void changeDirected(KeyframeId from, KeyframeId to, int delta);
 };

@@ -39,22 +39,25 @@ struct LocalMapper::Impl {
   Impl(const Config& config, const CameraModel& camera, Published<MapSnapshot>* published_in)
       : state(config, camera), published(published_in) {}
 
-  void process(const InitialMap& message, const std::atomic<bool>*) {
+  bool process(const InitialMap& message, const std::atomic<bool>*) {
     beginMap();
     startMap(&state, message);
     publish();
+    return true;
   }
 
-  void process(const RestoredMap& message, const std::atomic<bool>*) {
+  bool process(const RestoredMap& message, const std::atomic<bool>*) {
     beginMap();
     state.useCamera(message.map->cameraOr(state.given_camera));
     restoreMap(*message.map, &state.map);
     publish();
+    return true;
   }
 
-  void process(const ClearMap&, const std::atomic<bool>*) {
+  bool process(const ClearMap&, const std::atomic<bool>*) {
     beginMap();
     publish();
+    return true;
   }
 
   /// What was solved before the map was bent or replaced would bend it back.
@@ -62,20 +65,22 @@ struct LocalMapper::Impl {
     return snapshot.generation != generation || snapshot.corrections < bent;
   }
 
-  void process(const LoopCorrection& message, const std::atomic<bool>* interrupt) {
-    if (isStale(message.snapshot)) return;
+  bool process(const LoopCorrection& message, const std::atomic<bool>* interrupt) {
+    if (isStale(message.snapshot)) return false;
     bent = ++corrections;
     applyCorrection(message, &state.map);
     if (state.map.keyframe(message.edge.newer) != nullptr)
       fuseAround(&state, message.edge.newer, interrupt);
     publish();
+    return true;
   }
 
-  void process(const GlobalAdjustment& message, const std::atomic<bool>*) {
-    if (isStale(message.snapshot)) return;
+  bool process(const GlobalAdjustment& message, const std::atomic<bool>*) {
+    if (isStale(message.snapshot)) return false;
     ++corrections;
     applyAdjustment(message, &state.map);
     publish();
+    return true;
   }
 
   void beginMap() {
@@ -86,10 +91,11 @@ struct LocalMapper::Impl {
     ++generation;
   }
 
-  void process(const NewKeyframe& message, const std::atomic<bool>* interrupt) {
+  bool process(const NewKeyframe& message, const std::atomic<bool>* interrupt) {
     for (const LandmarkSighting& sighting : message.sightings) state.map.countSighting(sighting);
     if (insertKeyframe(&state, message)) extend(message.id, interrupt);
     publish();
+    return true;
   }
 
   void extend(KeyframeId id, const std::atomic<bool>* interrupt) {
@@ -130,8 +136,9 @@ LocalMapper::LocalMapper(const Config& config,
 
 LocalMapper::~LocalMapper() = default;
 
-void LocalMapper::process(const MappingMessage& message, const std::atomic<bool>* interrupt) {
-  std::visit([&](const auto& content) { impl_->process(content, interrupt); }, message);
+bool LocalMapper::process(const MappingMessage& message, const std::atomic<bool>* interrupt) {
+  return std::visit([&](const auto& content) { return impl_->process(content, interrupt); },
+                    message);
 }
 
 }  // namespace glide

@@ -24,8 +24,9 @@ class LocalMapper {
   ~LocalMapper();
 
   /// `interrupt` (may be null): when true, bundle adjustment ends early and optional work is
-  /// skipped, because another message waits. The map stays consistent.
-  void process(const MappingMessage& message, const std::atomic<bool>* interrupt);
+  /// skipped, because another message waits. The map stays consistent. False when a correction was
+  /// ignored, since the map was bent or replaced after it was solved.
+  bool process(const MappingMessage& message, const std::atomic<bool>* interrupt);
 
  private:
   struct Impl;

@@ -29,6 +29,8 @@ class BackEnd {
 
   std::shared_ptr<const MapSnapshot> snapshot() const { return map_.load(); }
 
+  /// Blocks until everything handed over is mapped; what follows from it may still be under way.
+  void waitMapped() { mapping_.waitIdle(); }
   /// Blocks until everything handed over, and what followed from it, is worked off.
   void waitIdle();
 

@@ -2,6 +2,7 @@
 
 #include "optimize/global_adjustment.h"
 
+#include <exception>
 #include <utility>
 #include <variant>
 
@@ -30,7 +31,12 @@ LoopThread::LoopThread(const Config& config,
 
 void LoopThread::run() {
   while (std::optional<LoopMessage> message = queue_.pop()) {
-    work(*message);
+    try {
+      work(*message);
+    } catch (const std::exception&) {  // out of memory: the map is as it was, the question stays
+                                       // open no longer
+      refuse(*message);
+    }
     queue_.done();
   }
 }
@@ -40,16 +46,27 @@ bool LoopThread::offer(LoopMessage message) {
     work(message);
     return true;
   }
+  const bool is_keyframe = std::holds_alternative<KeyframeMapped>(message);
   const bool is_query = std::holds_alternative<RelocalizationQuery>(message);
-  if (is_query) is_wanted_.store(true);
-  if (queue_.tryPush(message)) return true;
-  if (is_query) is_wanted_.store(stopped_.load());
-  return false;
+  const bool may_be_lost = is_keyframe || is_query;
+  const bool is_taken = may_be_lost ? queue_.tryPush(message) : queue_.pushAnyway(message);
+  // After the push: the adjustment looks at the queue before it begins, and at the flag while it
+  // runs.
+  if (!is_keyframe) is_wanted_.store(true);
+  return is_taken;
 }
 
 void LoopThread::work(const LoopMessage& message) {
   std::visit([this](const auto& content) { process(content); }, message);
-  if (adjustment_is_due_ && !is_wanted_.load()) adjust();
+  if (adjustment_is_due_) adjust();
+}
+
+void LoopThread::refuse(const LoopMessage& message) {
+  const auto* query = std::get_if<RelocalizationQuery>(&message);
+  if (query == nullptr) return;
+  auto answer = std::make_shared<RelocalizationAnswer>();
+  answer->t_ns = query->t_ns;
+  answer_.store(std::move(answer));
 }
 
 std::shared_ptr<const MapSnapshot> LoopThread::syncIndex() {
@@ -61,7 +78,7 @@ std::shared_ptr<const MapSnapshot> LoopThread::syncIndex() {
 void LoopThread::process(const KeyframeMapped& message) {
   const std::shared_ptr<const MapSnapshot> map = syncIndex();
   if (config_.loop.closing == LoopClosing::off) return;
-  std::optional<LoopCorrection> correction = closer_.close(message.id, *map, index_, &is_wanted_);
+  std::optional<LoopCorrection> correction = closer_.close(message.id, *map, index_, &stopped_);
   if (correction) correct_(std::move(*correction));
 }
 
@@ -70,7 +87,6 @@ void LoopThread::process(const RelocalizationQuery& message) {
   auto answer = std::make_shared<RelocalizationAnswer>();
   answer->t_ns = message.t_ns;
   answer->found = relocalizer_.relocalize(message, *map, index_);
-  is_wanted_.store(stopped_.load());
   answer_.store(std::move(answer));
 }
 
@@ -83,13 +99,15 @@ void LoopThread::process(const MapReplaced&) {
 }
 
 void LoopThread::adjust() {
+  is_wanted_.store(false);
+  if (stopped_.load() || queue_.size() > 0) return;  // when what waits is worked off
   const ScaleLevels levels(config_.features.scale_factor, config_.features.levels);
   GlobalAdjustmentOptions options{levels};
   options.cancel = &is_wanted_;
   const std::shared_ptr<const MapSnapshot> map = map_.load();
   std::optional<GlobalAdjustment> adjustment =
       adjustGlobally(map->cameraOr(camera_), *map, options);
-  adjustment_is_due_ = !adjustment && is_wanted_.load();  // once the query is answered
+  adjustment_is_due_ = !adjustment && is_wanted_.load();
   if (adjustment) correct_(std::move(*adjustment));
 }
 

@@ -50,6 +50,8 @@ class LoopThread {
  private:
   void run();
   void work(const LoopMessage& message);
+  /// Answers a query with nothing.
+  void refuse(const LoopMessage& message);
   void process(const KeyframeMapped& message);
   void process(const RelocalizationQuery& message);
   void process(const LoopClosed& message);
@@ -66,7 +68,7 @@ class LoopThread {
   WorkQueue<LoopMessage> queue_;
   Published<RelocalizationAnswer> answer_;
   std::atomic<bool> stopped_{false};
-  std::atomic<bool> is_wanted_{false};  ///< a query waits (or stopped): long work ends early
+  std::atomic<bool> is_wanted_{false};  ///< something waits that is more urgent than an adjustment
 
   // The loop thread, or the caller's when inline.
   PlaceIndex index_;

@@ -1,18 +1,22 @@
 #include "session/mapping_thread.h"
 
+#include <exception>
 #include <utility>
 #include <variant>
 
 namespace glide {
 namespace {
 
-/// What the loop thread should do about a message that the mapper has worked off.
-std::optional<LoopMessage> followUpOf(const MappingMessage& message) {
+/// What the loop thread should do about a message that the mapper has worked off. What the mapper
+/// refused was solved before the map was bent: a whole adjustment is due still.
+std::optional<LoopMessage> followUpOf(const MappingMessage& message, bool is_applied) {
   if (const auto* keyframe = std::get_if<NewKeyframe>(&message))
     return KeyframeMapped{keyframe->id};
-  if (std::holds_alternative<LoopCorrection>(message)) return LoopClosed{};
-  if (std::holds_alternative<GlobalAdjustment>(message)) return std::nullopt;
-  return MapReplaced{};
+  const bool is_loop = std::holds_alternative<LoopCorrection>(message);
+  const bool is_adjustment = std::holds_alternative<GlobalAdjustment>(message);
+  if (!is_loop && !is_adjustment) return MapReplaced{};
+  if (is_loop == is_applied) return LoopClosed{};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -30,14 +34,21 @@ MappingThread::MappingThread(const Config& config,
 void MappingThread::run() {
   while (std::optional<MappingMessage> message = queue_.pop()) {
     interrupt_.store(queue_.size() > 0);
-    process(*message, &interrupt_);
+    if (stopped_.load()) interrupt_.store(true);
+    try {
+      process(*message, &interrupt_);
+    } catch (const std::exception&) {
+      // Out of memory in the middle of a change: start from nothing rather than from half of it.
+      mapper_.process(ClearMap{}, nullptr);
+    }
     queue_.done();
   }
 }
 
 void MappingThread::process(const MappingMessage& message, const std::atomic<bool>* interrupt) {
-  mapper_.process(message, interrupt);
-  if (std::optional<LoopMessage> next = followUpOf(message)) follow_up_(std::move(*next));
+  const bool is_applied = mapper_.process(message, interrupt);
+  std::optional<LoopMessage> next = followUpOf(message, is_applied);
+  if (next) follow_up_(std::move(*next));
 }
 
 bool MappingThread::offer(MappingMessage message) {
@@ -65,6 +76,7 @@ void MappingThread::waitIdle() {
 }
 
 void MappingThread::close() {
+  stopped_.store(true);
   queue_.close();
   interrupt_.store(true);
 }

@@ -47,6 +47,7 @@ class MappingThread {
   // Any thread.
   WorkQueue<MappingMessage> queue_;
   std::atomic<bool> interrupt_{false};
+  std::atomic<bool> stopped_{false};
   const std::function<void(LoopMessage)> follow_up_;
 
   // The mapping thread, or the caller's when inline.

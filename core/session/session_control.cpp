@@ -48,6 +48,7 @@ std::string describe(const CameraIntrinsics& camera) {
 
 void Session::Impl::reset() {
   back_end_.send(ClearMap{});
+  ++generation_;
   forgetMap();
   ++resets_;
 }
@@ -81,7 +82,8 @@ Status Session::Impl::restore(const StoredMap& stored) {
   if (stored.map->empty()) return refuse("no keyframe");
   forgetMap();
   back_end_.send(RestoredMap{stored.map});
-  back_end_.waitIdle();
+  ++generation_;
+  back_end_.waitMapped();
   const MapSnapshot& map = *stored.map;
   const KeyframeId last = map.keyframes().back().id;
   std::uint64_t newest = last.value;
@@ -91,6 +93,7 @@ Status Session::Impl::restore(const StoredMap& stored) {
   last_keyframe_ = LastKeyframe{last, 0};
   last_pose_ = anchorTo(last, *map.T_cam_world(last), map);
   last_map_ = snapshot();
+  is_restored_ = true;
   lost_frames_ = 1;  // nothing is known about where the camera is
   return Unit{};
 }

@@ -68,6 +68,10 @@ FrameResult Session::Impl::update(const FrameInput& input) {
   const std::optional<WorldCorrection> correction =
       correctionBetween(*last_map_, *frame.map, last_pose_);
   last_map_ = frame.map;
+  if (last_keyframe_ && isStartRefused(*frame.map)) {
+    generation_ = frame.map->generation();
+    forgetMap();
+  }
   FrameResult result;
   if (!last_keyframe_) {
     result = isMapping() ? initialize(frame) : toResult(frame, TrackedFrame());
@@ -134,7 +138,7 @@ std::optional<TrackedFrame> Session::Impl::tryAnswer(const Frame& frame, const T
   used_answer_t_ns_ = answer->t_ns;
   const Relocalization& found = *answer->found;
   if (frame.map->keyframe(found.keyframe) == nullptr) return std::nullopt;
-  const AnchoredPose pose{found.keyframe, found.T_cam_key, found.key_scale, SE3d{}};
+  const AnchoredPose pose{found.keyframe, found.T_cam_key, found.key_scale, SE3d{}, std::nullopt};
   const IndirectGuess guess{pose.T_cam_world(*frame.map), GuessQuality::lost, found.keyframe};
   TrackedFrame tracked = indirect_.track(frame, lost.features, guess);
   if (!tracked.ok) return std::nullopt;
@@ -181,7 +185,9 @@ void Session::Impl::offerKeyframe(const Frame& frame, TrackedFrame* tracked) {
   ++next_keyframe_id_;
   last_keyframe_ = LastKeyframe{id, 0};
   sightings_.clear();
-  tracked->pose = {id, SE3d{}, 1.0, tracked->T_cam_world};
+  const AnchoredPose& measured = tracked->pose;
+  const AnchoredPose::Support support{measured.keyframe, measured.T_cam_key, measured.key_scale};
+  tracked->pose = {id, SE3d{}, 1.0, tracked->T_cam_world, support};
 }
 
 NewKeyframe Session::Impl::makeKeyframe(const Frame& frame, const TrackedFrame& tracked) {
@@ -205,7 +211,8 @@ void Session::Impl::onLost() {
   if (direct_) direct_->dropReference();
   ++lost_frames_;
   const bool tiny = back_end_.snapshot()->keyframes().size() < kTinyMapKeyframes;
-  if (!tiny || lost_frames_ < kLostFramesBeforeReset || !isMapping()) return;
+  const bool may_give_up = isMapping() && !is_restored_;
+  if (!tiny || lost_frames_ < kLostFramesBeforeReset || !may_give_up) return;
   forgetMap();
   ++resets_;
 }
@@ -216,6 +223,9 @@ void Session::Impl::forgetMap() {
   motion_.reset();
   if (direct_) direct_->dropReference();
   lost_frames_ = 0;
+  used_answer_t_ns_ = last_t_ns_;  // later answers may be about a map that is gone
+  is_restored_ = false;
+  timeline_.store(std::make_shared<const PoseTimeline>());
 }
 
 FrameResult Session::Impl::pausedResult(std::int64_t t_ns) const {
@@ -242,7 +252,7 @@ FrameResult Session::Impl::toResult(const Frame& frame, const TrackedFrame& trac
     result.state = is_lost ? TrackingState::lost : TrackingState::initializing;
     describePose(last_pose_, *frame.map, &result);
   }
-  result.map_revision = back_end_.snapshot()->revision();
+  result.map_revision = frame.map->revision();
   return result;
 }
 

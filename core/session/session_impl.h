@@ -56,6 +56,8 @@ class Session::Impl {
   bool isMapping() const { return config_.mode == SessionMode::slam; }
   FrameResult initialize(const Frame& frame);
   void startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked);
+  /// The mapper found that the two views of the start are no geometry: the map is empty.
+  bool isStartRefused(const MapSnapshot& map) const;
   /// The mapper has not published the map that was started last.
   bool isMapPending(const Frame& frame) const;
   FrameResult waitForMap(const Frame& frame) const;
@@ -97,8 +99,10 @@ class Session::Impl {
   std::int64_t last_t_ns_;
   std::int64_t used_answer_t_ns_;  ///< of the relocalisation that was tried last
   std::uint64_t next_keyframe_id_ = 0;
+  std::uint64_t generation_ = 0;  ///< of the newest map that was asked for
   int lost_frames_ = 0;
   bool is_paused_ = false;
+  bool is_restored_ = false;  ///< the map came from a file: it is never given up
   std::unordered_map<LandmarkId, LandmarkSighting> sightings_;  ///< since the last keyframe
 };
 

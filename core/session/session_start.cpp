@@ -23,23 +23,30 @@ void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame*
   start.a.id = KeyframeId{next_keyframe_id_++};
   start.b.id = KeyframeId{next_keyframe_id_++};
   map_start_ = start.a.id;
-  tracked->pose = {start.b.id, SE3d{}, 1.0, start.b.T_cam_world};
+  tracked->pose = {start.b.id, SE3d{}, 1.0, start.b.T_cam_world, std::nullopt};
   tracked->stats.visible = tracked->stats.inliers = static_cast<int>(start.points.size());
   Stopwatch watch;
   tracked->ok = back_end_.offer(std::move(start));
   tracked->stats.mapping_ms = inlineMs(&watch);
   if (!tracked->ok)
     return;  // the mapper still works on the map that was given up: try the next frame
+  ++generation_;
+  const std::shared_ptr<const MapSnapshot> map = back_end_.snapshot();
+  tracked->ok = !isStartRefused(*map);
+  if (!tracked->ok) return;
   tracked->tracker = TrackerKind::indirect;
   tracked->confidence = 1.0;
   tracked->stats.keyframe = true;
-  const std::shared_ptr<const MapSnapshot> map = back_end_.snapshot();
   tracked->T_cam_world = tracked->pose.T_cam_world(*map);
   last_keyframe_ = LastKeyframe{tracked->pose.keyframe, 0};
   last_pose_ = tracked->pose;
   lost_frames_ = 0;
   motion_.reset();
   motion_.update(frame.t_ns, tracked->pose, *map);
+}
+
+bool Session::Impl::isStartRefused(const MapSnapshot& map) const {
+  return map.generation() >= generation_ && !map.T_cam_world(map_start_).has_value();
 }
 
 bool Session::Impl::isMapPending(const Frame& frame) const {

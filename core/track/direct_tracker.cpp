@@ -51,10 +51,13 @@ TrackedFrame DirectTracker::track(const Frame& frame, const SE3d& T_cam_world_gu
   T_cam_ref_guess.t /= reference_->pose.growth(*frame.map);  // the reference keeps its unit
   const AlignResult align = aligner_->align(T_cam_ref_guess);
   if (align.valid) tracked = makeTracked(align, *frame.map);
-  tracked.switch_reason =
-      decideSwitch(config_, {align, reference_->direct_frames, reference_->median_depth});
+  tracked.switch_reason = decideSwitch(
+      config_, {align, reference_->direct_frames, reference_->median_depth, reference_->last_rms});
   tracked.ok = tracked.switch_reason == SwitchReason::none;
-  if (tracked.ok) ++reference_->direct_frames;
+  if (tracked.ok) {
+    ++reference_->direct_frames;
+    reference_->last_rms = align.rms;
+  }
   tracked.stats.pyramid_ms = aligner_->times().pyramid_ms;
   tracked.stats.align_ms = aligner_->times().align_ms;
   return tracked;
@@ -78,7 +81,7 @@ double DirectTracker::refreshReference(const Frame& frame, const TrackedFrame& t
   reference_.reset();
   if (static_cast<int>(points_.size()) < config_.min_points) return 0.0;
   aligner_->promoteReference(points_);
-  reference_ = Reference{tracked.pose, medianDepth(points_), 0};
+  reference_ = Reference{tracked.pose, medianDepth(points_), 0, 0.0};
   return aligner_->times().precompute_ms;
 }
 

@@ -33,6 +33,7 @@ class DirectTracker {
     AnchoredPose pose;
     double median_depth = 1.0;
     int direct_frames = 0;
+    double last_rms = 0.0;  ///< of the last accepted frame
   };
 
   TrackedFrame makeTracked(const AlignResult& align, const MapSnapshot& map) const;

@@ -77,7 +77,11 @@ TrackedFrame IndirectTracker::track(const Frame& frame,
   if (!attempt.pose.valid) return tracked;
   report(frame, attempt, local, &tracked);
   tracked.ok = isEnough(tracked, guess.quality);
-  if (tracked.ok) recent_ = tracked.landmarks;
+  if (tracked.ok) {
+    recent_ = tracked.landmarks;
+  } else {
+    tracked.features = features;  // not moved towards landmarks that may be the wrong ones
+  }
   return tracked;
 }
 

@@ -14,7 +14,9 @@ std::optional<SE3d> MotionModel::predict(std::int64_t t_ns, const MapSnapshot& m
   const double dt_s = static_cast<double>(t_ns - last_t_ns_) * kSecondsPerNanosecond;
   const SE3d T_last_world = last_->T_cam_world(map);
   if (dt_s > kMaxPrediction_s) return T_last_world;
-  return SE3d::exp(velocity_ * dt_s) * T_last_world;
+  Vec6d velocity = velocity_;
+  velocity.head<3>() *= last_->growth(map) / velocity_growth_;
+  return SE3d::exp(velocity * dt_s) * T_last_world;
 }
 
 void MotionModel::update(std::int64_t t_ns, const AnchoredPose& pose, const MapSnapshot& map) {
@@ -27,6 +29,7 @@ void MotionModel::update(std::int64_t t_ns, const AnchoredPose& pose, const MapS
     velocity_.setZero();
   }
   last_ = pose;
+  velocity_growth_ = pose.growth(map);
   last_t_ns_ = t_ns;
 }
 

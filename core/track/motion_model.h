@@ -25,6 +25,7 @@ class MotionModel {
  private:
   std::optional<AnchoredPose> last_;
   std::int64_t last_t_ns_ = 0;
+  double velocity_growth_ = 1.0;    ///< AnchoredPose::growth when the velocity was measured
   Vec6d velocity_ = Vec6d::Zero();  ///< twist of T_now_before per second, (translation, rotation)
 };
 

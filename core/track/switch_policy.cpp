@@ -13,6 +13,14 @@ bool errorTooHigh(const Config::Direct& config, const AlignResult& align) {
   return align.rms > config.max_rms_contrast * align.contrast;
 }
 
+/// Perspective raises the error slowly from frame to frame; a jump is a solve that ended elsewhere.
+/// Errors below the Huber floor are noise, whose ratio says nothing.
+bool errorJumped(const Config::Direct& config, const DirectEvidence& evidence) {
+  if (evidence.last_rms <= 0.0) return false;
+  const double before = std::max(evidence.last_rms, config.huber_floor);
+  return evidence.align.rms > config.max_rms_growth * before;
+}
+
 /// The gain ran into its limits: the frame holds something else than the reference.
 bool isImplausibleGain(const AlignResult& align) {
   constexpr double kMin = 0.22;  // just inside of the aligner's clamp of 0.2 to 5
@@ -31,7 +39,7 @@ SwitchReason decideSwitch(const Config::Direct& config, const DirectEvidence& ev
   if (evidence.direct_frames >= config.max_direct_frames) return SwitchReason::max_direct_frames;
   if (!align.valid) return SwitchReason::solve_failed;
   if (tooFewVisible(config, align)) return SwitchReason::too_few_visible;
-  if (errorTooHigh(config, align) || isImplausibleGain(align))
+  if (errorTooHigh(config, align) || errorJumped(config, evidence) || isImplausibleGain(align))
     return SwitchReason::photometric_error;
   if (align.inliers < config.min_inlier_ratio * align.visible)
     return SwitchReason::photometric_error;

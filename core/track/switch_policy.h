@@ -11,6 +11,7 @@ struct DirectEvidence {
   AlignResult align;
   int direct_frames = 0;      ///< frames already accepted against this reference
   double median_depth = 1.0;  ///< of the reference's points, scene units
+  double last_rms = 0.0;      ///< of the last accepted frame, grey levels; 0 before the first
 };
 
 /// SwitchReason::none accepts the direct pose; anything else says why the frame goes to the

@@ -75,6 +75,7 @@ struct Config {
     int max_direct_frames = 12;     ///< frames per reference, 1..1000
     double max_rms = 25.0;          ///< grey levels, switching threshold of the patch error, 1..255
     double max_rms_contrast = 1.0;  ///< patch error over the reference's own contrast, 0.05..10
+    double max_rms_growth = 2.5;    ///< patch error over that of the frame before, 1.1..100
     double max_baseline = 0.12;     ///< translation over median depth, 0.001..10
     double max_rotation_deg = 15.0;  ///< degrees, 0.1..180
     double min_visible_ratio = 0.6;  ///< share of the reference's points, 0..1

@@ -53,6 +53,7 @@ void visitDirect(ConfigT& config, Visitor& visit) {
   visit(FieldInfo{"direct.max_direct_frames", "frames", 1, 1000}, direct.max_direct_frames);
   visit(FieldInfo{"direct.max_rms", "grey levels", 1, 255}, direct.max_rms);
   visit(FieldInfo{"direct.max_rms_contrast", "", 0.05, 10}, direct.max_rms_contrast);
+  visit(FieldInfo{"direct.max_rms_growth", "", 1.1, 100}, direct.max_rms_growth);
   visit(FieldInfo{"direct.max_baseline", "", 0.001, 10}, direct.max_baseline);
   visit(FieldInfo{"direct.max_rotation_deg", "deg", 0.1, 180}, direct.max_rotation_deg);
   visit(FieldInfo{"direct.min_visible_ratio", "", 0, 1}, direct.min_visible_ratio);

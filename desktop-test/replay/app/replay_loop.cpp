@@ -30,7 +30,9 @@ void noteStateChange(const FrameRecord& record, TrackingState before, RunLog& lo
                         frame.stats.inliers,
                         frame.stats.visible);
   } else if (frame.state == TrackingState::initializing) {
-    line += ", the map was too small to find again and is started over";
+    line += frame.initialization.status == InitializationStatus::done
+                ? ", the first map is being built"
+                : ", the map was too small to find again and is started over";
   } else {
     line += fmt::format(", direct tracker refused by {}", enumName(frame.switch_reason));
   }

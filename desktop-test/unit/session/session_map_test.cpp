@@ -150,6 +150,34 @@ TEST(SessionMap, SurvivesAPauseInWhichTheCameraMoved) {
   EXPECT_LT(distance(found.T_world_cam, walk.middle.T_world_cam), 0.01);
 }
 
+TEST(SessionMap, IsKeptHoweverSmallWhenItCameFromAFile) {
+  SequenceFixture fixture;
+  Session session = makeSession(fixture.config());
+  int frames = 0;
+  while (session.map()->keyframes.size() < 2)
+    walkOn(&fixture, &session, frames, frames + 1), ++frames;
+  Session other = makeSession(SequenceFixture().config());
+  ASSERT_TRUE(other.loadMap(*session.saveMap()).ok());
+  const ImageU8 blank = fixture.blank();
+  FrameResult result;
+  for (int i = 0; i < 10; ++i) result = fixture.feed(&other, blank);
+  EXPECT_EQ(result.state, TrackingState::lost);
+  EXPECT_FALSE(other.map()->keyframes.empty());
+}
+
+TEST(SessionMap, LocatesNothingOfTheWorldBeforeAReset) {
+  MappedWalk walk(SequenceFixture().config());
+  ASSERT_TRUE(walk.session.locate(walk.last.t_ns).tracked);
+  walk.session.reset();
+  EXPECT_FALSE(walk.session.locate(walk.last.t_ns).valid);
+}
+
+TEST(SessionMap, LocatesNothingOfTheWorldBeforeALoad) {
+  MappedWalk walk(SequenceFixture().config());
+  ASSERT_TRUE(walk.session.loadMap(*walk.session.saveMap()).ok());
+  EXPECT_FALSE(walk.session.locate(walk.middle.t_ns).valid);
+}
+
 TEST(SessionMap, LocatesTheCameraAtAFrameAndBetweenFrames) {
   SequenceFixture fixture;
   Session session = makeSession(fixture.config());

@@ -55,8 +55,21 @@ TEST_F(AnchoredPoseTest, FollowsARetiredKeyframeThroughACorrectionOfItsParent) {
   EXPECT_LT((after - 0.6 * before).norm(), 1e-12);
 }
 
+TEST_F(AnchoredPoseTest, FollowsACorrectionBeforeItsKeyframeIsPublished) {
+  const AnchoredPose measured = anchorTo(kFirst, T_cam_world_, *snapshot());
+  const AnchoredPose::Support support{measured.keyframe, measured.T_cam_key, measured.key_scale};
+  const SE3d T_later_key{so3Exp(Vec3d(0.0, 0.1, 0.0)), Vec3d(0.1, 0.0, 0.2)};
+  const AnchoredPose later{KeyframeId{99}, T_later_key, 1.0, T_cam_world_, support};
+  const Vec3d p_world(0.4, 0.3, 5.0);
+  const Vec3d before = later.T_cam_world(*snapshot()) * p_world;
+  const Sim3d S_new_old{so3Exp(Vec3d(0.3, -0.2, 0.1)), Vec3d(2.0, 1.0, 0.0), 1.7};
+  map_.moveKeyframe({kFirst, S_new_old});
+  const Vec3d after = later.T_cam_world(*snapshot()) * (S_new_old * p_world);
+  EXPECT_LT((after - 1.7 * before).norm(), 1e-12);
+}
+
 TEST_F(AnchoredPoseTest, ServesBeforeItsKeyframeIsPublished) {
-  const AnchoredPose pose{KeyframeId{99}, SE3d{}, 1.0, T_cam_world_};
+  const AnchoredPose pose{KeyframeId{99}, SE3d{}, 1.0, T_cam_world_, std::nullopt};
   EXPECT_EQ(pose.T_cam_world(*snapshot()).t, T_cam_world_.t);
 }
 

@@ -7,7 +7,9 @@ namespace {
 
 constexpr std::int64_t kFrame_ns = 50'000'000;
 
-AnchoredPose poseAt(const SE3d& T_cam_world) { return {KeyframeId{0}, T_cam_world, SE3d{}}; }
+AnchoredPose poseAt(const SE3d& T_cam_world) {
+  return {KeyframeId{0}, T_cam_world, 1.0, SE3d{}, {}};
+}
 
 TEST(MotionModel, KnowsNothingBeforeTheFirstFrame) {
   EXPECT_FALSE(MotionModel().predict(0, MapSnapshot()).has_value());

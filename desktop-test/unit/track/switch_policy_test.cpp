@@ -45,6 +45,23 @@ TEST(SwitchPolicy, RefusesAHighPatchError) {
   EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::photometric_error);
 }
 
+TEST(SwitchPolicy, RefusesAPatchErrorThatJumps) {
+  DirectEvidence evidence = goodEvidence();
+  evidence.align.rms = 15.0;
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::none);  // nothing to compare with
+  evidence.last_rms = 8.0;
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::none);
+  evidence.last_rms = 5.0;
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::photometric_error);
+}
+
+TEST(SwitchPolicy, TakesNoJumpFromNoiseToNoiseForOne) {
+  DirectEvidence evidence = goodEvidence();
+  evidence.last_rms = 0.2;
+  evidence.align.rms = 2.0;
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::none);
+}
+
 TEST(SwitchPolicy, MeasuresThePatchErrorAgainstTheReferencesContrast) {
   DirectEvidence evidence = goodEvidence();
   evidence.align.contrast = 4.0;  // a dull wall: five grey levels of error mean nothing was matched
