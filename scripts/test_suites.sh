@@ -4,7 +4,7 @@
 
 # Unit tests of what handles memory by hand or reads foreign files.
 asan_targets=(geometry_test image_test photometric_test feature_test map_test optimize_test readers_test calibration_test
-  map_mutations)
+  mapping_test loop_test map_mutations)
 # What runs on, or hands data to, more than one thread.
 tsan_targets=(base_test session_test)
 
@@ -26,6 +26,9 @@ sanitized() {
   ))$"
   ctest_in "$preset" -R "$expression"
 }
+
+# Maps in files are tested inline, without a second thread.
+tsan_units() { GTEST_FILTER='-SessionMap.*' sanitized tsan "${tsan_targets[@]}"; }
 
 # suite NAME COMMAND...: runs it, says how it went, and remembers the failure.
 failed_suites=()
@@ -74,7 +77,7 @@ run_test_suites() {
   if [ -n "${CI:-}" ]; then export GLIDE_REQUIRE_GL=1; fi
   if [ "$quick" = no ] && [ $# -eq 0 ]; then
     suite "address and undefined behaviour sanitizers" sanitized asan "${asan_targets[@]}"
-    suite "thread sanitizer" sanitized tsan "${tsan_targets[@]}"
+    suite "thread sanitizer" tsan_units
     suite "thread sanitizer on a whole replay" tsan_replay
     suite "fuzzer" fuzz_suite
     suite "library with clang" build clang glide

@@ -135,12 +135,21 @@ void applyCorrection(const LoopCorrection& correction, Map* map) {
 }
 
 void applyAdjustment(const GlobalAdjustment& adjustment, Map* map) {
+  std::unordered_map<LandmarkId, Vec3d> shifted;
+  for (const GlobalAdjustment::LandmarkShift& known : adjustment.landmarks) {
+    const Landmark* landmark = map->landmark(known.id);
+    if (landmark != nullptr) shifted[known.id] = landmark->p_world + known.shift;
+  }
   Moves moves = movesOfLiving(adjustment.keyframes, *map);
   spread(*map, &moves);
   moveKeyframes(moves, map);
-  for (const LandmarkId id : map->landmarkIds()) moveLandmark(id, moves, map);
-  for (const GlobalAdjustment::LandmarkPosition& landmark : adjustment.landmarks) {
-    map->setPosition(landmark.id, landmark.p_world);
+  for (const LandmarkId id : map->landmarkIds()) {
+    const auto known = shifted.find(id);
+    if (known != shifted.end()) {
+      map->setPosition(id, known->second);
+    } else {
+      moveLandmark(id, moves, map);
+    }
   }
   refreshAll(map);
 }

@@ -86,11 +86,11 @@ struct GlobalAdjustment {
   /// Ascending id. The scale of a move is what the keyframe's landmarks have moved away or nearer
   /// by, so that what was mapped meanwhile around it follows in size too.
   std::vector<KeyframeMove> keyframes;
-  struct LandmarkPosition {
+  struct LandmarkShift {
     LandmarkId id;
-    Vec3d p_world;
+    Vec3d shift;  ///< from its place in the snapshot: what local adjustment did meanwhile stays
   };
-  std::vector<LandmarkPosition> landmarks;  ///< ascending id
+  std::vector<LandmarkShift> landmarks;  ///< ascending id
 };
 
 class MapSnapshot;

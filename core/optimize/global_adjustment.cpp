@@ -104,7 +104,8 @@ GlobalAdjustment differenceFrom(const MapSnapshot& map, const BundleProblem& sol
   }
   adjustment.landmarks.reserve(solved.points.size());
   for (std::size_t i = 0; i < solved.points.size(); ++i) {
-    adjustment.landmarks.push_back({map.landmarks()[i].id, solved.points[i]});
+    adjustment.landmarks.push_back(
+        {map.landmarks()[i].id, solved.points[i] - map.landmarks()[i].p_world});
   }
   return adjustment;
 }

@@ -267,7 +267,7 @@ TEST_F(MapAdjustment, PutsLandmarksWhereItSaysAndTakesTheNewerAlong) {
   adjustment.keyframes = movesOf(0, 5, S_rigid);
   const Vec3d offset(0.01, 0.02, 0.03);
   for (std::size_t i = 0; i < ids.size() / 2; ++i) {
-    adjustment.landmarks.push_back({ids[i], S_rigid * old[ids[i]] + offset});
+    adjustment.landmarks.push_back({ids[i], S_rigid * old[ids[i]] + offset - old[ids[i]]});
   }
   adjustment.landmarks.push_back({LandmarkId{9999}, Vec3d::Zero()});
   applyAdjustment(adjustment, &map_);

@@ -175,7 +175,7 @@ TEST_F(GlobalAdjustmentTest, GivesTheSameBitsTwice) {
     EXPECT_EQ(a->keyframes[i].S_new_old.q.coeffs(), b->keyframes[i].S_new_old.q.coeffs());
   }
   for (std::size_t i = 0; i < a->landmarks.size(); ++i) {
-    EXPECT_EQ(a->landmarks[i].p_world, b->landmarks[i].p_world);
+    EXPECT_EQ(a->landmarks[i].shift, b->landmarks[i].shift);
   }
 }
 
