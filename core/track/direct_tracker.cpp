@@ -54,6 +54,11 @@ TrackedFrame DirectTracker::track(const Frame& frame, const SE3d& T_cam_world_gu
   tracked.switch_reason = decideSwitch(
       config_, {align, reference_->direct_frames, reference_->median_depth, reference_->last_rms});
   tracked.ok = tracked.switch_reason == SwitchReason::none;
+  if (tracked.switch_reason == SwitchReason::photometric_error) {
+    // It ended in a wrong place: what was expected is the better guess.
+    tracked.tracker = TrackerKind::none;
+    tracked.T_cam_world = T_cam_world_guess;
+  }
   if (tracked.ok) {
     ++reference_->direct_frames;
     reference_->last_rms = align.rms;

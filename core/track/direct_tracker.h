@@ -19,7 +19,7 @@ class DirectTracker {
   DirectTracker(const Config::Direct& config, std::unique_ptr<Aligner> aligner);
 
   /// Aligns the frame to the reference. ok is the switch policy's verdict; the pose of a refused
-  /// frame is kept when it is finite, as a guess for the indirect tracker.
+  /// frame is kept as a guess for the indirect tracker, unless its patch error speaks against it.
   TrackedFrame track(const Frame& frame, const SE3d& T_cam_world_guess);
 
   /// Makes the frame tracked last the reference, with the landmarks that the indirect tracker
