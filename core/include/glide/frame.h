@@ -42,7 +42,7 @@ struct FrameStats {
   bool keyframe = false;  ///< this frame was handed to the mapper
 };
 
-/// The map was corrected (a loop was closed, or the whole map adjusted after one): how far that
+/// The map was corrected (a loop was closed, the whole map adjusted, or the lens): how far that
 /// moved the camera in the world. Content that was placed relative to keyframes moves along; what
 /// was placed at world coordinates does not.
 struct WorldCorrection {

@@ -46,7 +46,8 @@ class GLIDE_API Session {
   /// A copy of the current map; never null. Any thread.
   std::shared_ptr<const MapView> map() const;
 
-  /// Drops the map and starts over with the next frame.
+  /// Drops the map and starts over with the next frame; a paused session stays paused. May wait
+  /// until the mapper has room for one more message.
   void reset();
 
   /// Until resume(), update() looks at no frame and answers TrackingState::paused; the map stays.
@@ -55,16 +56,16 @@ class GLIDE_API Session {
   void resume();
 
   /// Writes the map as it is now to `path`, under a temporary name first: the file is whole or not
-  /// there. Format: docs/map-format.md. io when it cannot be written. Any thread; does not hold up
-  /// update().
+  /// there. Format: docs/map-format.md. io when it cannot be written. A map without keyframes is
+  /// written, too, but loadMap refuses it. Any thread; does not hold up update().
   Status saveMap(const std::filesystem::path& path) const;
   /// The bytes that saveMap would write. Any thread.
   Result<std::vector<std::byte>> saveMap() const;
 
   /// Takes the place of the present map; the camera is lost until it is recognised in it, and poses
-  /// are in the loaded map's frame from then on. io when the file cannot be read or is no sound
-  /// map, invalid_argument when it was made with another camera or other feature levels; then
-  /// nothing is changed.
+  /// are in the loaded map's frame from then on. Waits until the mapper has taken it over. io when
+  /// the file cannot be read or is no sound map, invalid_argument when it was made with another
+  /// camera or other feature levels; then nothing is changed.
   Status loadMap(const std::filesystem::path& path);
   Status loadMap(std::span<const std::byte> bytes);
 
