@@ -124,4 +124,13 @@ std::vector<KeyframeLink> KeyframeGraph::essentialLinks(int min_weight) const {
   return chosen;
 }
 
+std::vector<KeyframeId> placeOf(const MapSnapshot::KeyframeEntry& keyframe, std::size_t count) {
+  std::vector<KeyframeId> ids{keyframe.id};
+  for (const CovisibleKeyframe& neighbor : keyframe.neighbors) {
+    if (ids.size() >= count) break;
+    ids.push_back(neighbor.id);
+  }
+  return ids;
+}
+
 }  // namespace glide

@@ -4,6 +4,7 @@
 
 #include "base/ids.h"
 
+#include <cstddef>
 #include <map>
 #include <set>
 #include <utility>
@@ -43,5 +44,8 @@ class KeyframeGraph {
   void join();
   const std::vector<std::pair<KeyframeId, int>>& neighborsOf(KeyframeId id) const;
 };
+
+/// The keyframe and its best covisible ones, `count` in all at most.
+std::vector<KeyframeId> placeOf(const MapSnapshot::KeyframeEntry& keyframe, std::size_t count);
 
 }  // namespace glide

@@ -7,6 +7,8 @@
 #include "loop/loop_fusion.h"
 #include "loop/loop_verifier.h"
 
+#include "base/cancel.h"
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -19,8 +21,6 @@ namespace {
 constexpr int kRestKeyframes = 10;
 // A rival with this share of the best place's matches makes the place ambiguous.
 constexpr double kRivalShare = 0.5;
-
-bool isCancelled(const std::atomic<bool>* cancel) { return cancel != nullptr && cancel->load(); }
 
 /// Where the rival's older keyframe lies for the best one's, if both are right.
 MeasuredLink between(const LoopGeometry& best, const LoopGeometry& rival) {

@@ -18,7 +18,7 @@ constexpr int kMaxMissed = 1;
 // Places that are looked into: the best, and rivals that show whether it is the only one.
 constexpr std::size_t kMaxPlaces = 3;
 // Covisible keyframes that make up a place and add their scores to it.
-constexpr std::size_t kPlaceKeyframes = 10;
+constexpr std::size_t kPlaceNeighbors = 10;
 
 bool overlap(const std::set<KeyframeId>& a, const std::set<KeyframeId>& b) {
   return std::any_of(a.begin(), a.end(), [&](KeyframeId id) { return b.count(id) > 0; });
@@ -34,15 +34,6 @@ double covisibleScore(const MapSnapshot::KeyframeEntry& keyframe,
     if (neighbors.count(match.keyframe) > 0) best = std::max(best, match.score);
   }
   return best;
-}
-
-std::set<KeyframeId> placeAround(const MapSnapshot::KeyframeEntry& keyframe) {
-  std::set<KeyframeId> place{keyframe.id};
-  for (const CovisibleKeyframe& neighbor : keyframe.neighbors) {
-    if (place.size() > kPlaceKeyframes) break;
-    place.insert(neighbor.id);
-  }
-  return place;
 }
 
 }  // namespace
@@ -79,7 +70,9 @@ std::vector<LoopDetector::Group> LoopDetector::groupsOf(const std::vector<PlaceM
     if (taken.count(match.keyframe) > 0) continue;
     Group group;
     group.best = match.keyframe;
-    group.keyframes = placeAround(*map.keyframe(match.keyframe));
+    const std::vector<KeyframeId> place =
+        placeOf(*map.keyframe(match.keyframe), 1 + kPlaceNeighbors);
+    group.keyframes = {place.begin(), place.end()};
     for (const KeyframeId id : group.keyframes) {
       const auto score = scores.find(id);
       if (score != scores.end() && taken.insert(id).second) group.score += score->second;

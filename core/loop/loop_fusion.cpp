@@ -1,5 +1,6 @@
 #include "loop/loop_fusion.h"
 
+#include "loop/keyframe_graph.h"
 #include "loop/projected_search.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "loop/loop_verifier.h"
 
+#include "loop/keyframe_graph.h"
 #include "loop/projected_search.h"
 
 #include "optimize/sim3_optimizer.h"
@@ -213,15 +214,6 @@ bool isBeyondDoubt(const LoopGeometry& geometry) {
          geometry.cells >= kMinSureCells &&
          static_cast<int>(geometry.matches.size()) >= kMinSureMatches &&
          geometry.share_newer >= kMinSureShare && geometry.share_older >= kMinSureShare;
-}
-
-std::vector<KeyframeId> placeOf(const KeyframeEntry& keyframe, std::size_t count) {
-  std::vector<KeyframeId> ids{keyframe.id};
-  for (const CovisibleKeyframe& neighbor : keyframe.neighbors) {
-    if (ids.size() >= count) break;
-    ids.push_back(neighbor.id);
-  }
-  return ids;
 }
 
 }  // namespace glide

@@ -45,7 +45,4 @@ class LoopVerifier {
 /// Whether what speaks for a loop suffices: a wrong loop ruins the map, a missed one comes again.
 bool isBeyondDoubt(const LoopGeometry& geometry);
 
-/// `id` and its best covisible keyframes, `count` in all at most.
-std::vector<KeyframeId> placeOf(const MapSnapshot::KeyframeEntry& keyframe, std::size_t count);
-
 }  // namespace glide

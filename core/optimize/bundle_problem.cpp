@@ -4,6 +4,8 @@
 #include "optimize/reprojection_cost.h"
 #include "optimize/residuals.h"
 
+#include "base/cancel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -102,8 +104,6 @@ void restoreLoosePoints(const BundleProblem& problem,
   }
 }
 
-bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(); }
-
 /// What the rounds change.
 struct Iterate {
   BundleState state;
@@ -128,7 +128,7 @@ BundleSummary runRounds(const CameraModel& camera,
         solveRound({camera, problem, iterate->use}, round_options, &iterate->state);
     summary.usable = result.usable;
     if (!summary.usable) break;
-    summary.cancelled = result.cancelled || isSet(options.cancel);
+    summary.cancelled = result.cancelled || isCancelled(options.cancel);
     summary.iterations += result.iterations;
     round_options.trust_region_radius = result.trust_region_radius;
     iterate->use = insideGate(chi2OfAll(camera, problem, iterate->state));
@@ -169,7 +169,7 @@ BundleSummary solve(const CameraModel& camera,
 BundleSummary solveBundle(const CameraModel& camera,
                           const BundleOptions& options,
                           BundleProblem* problem) {
-  if (isSet(options.cancel)) {
+  if (isCancelled(options.cancel)) {
     BundleSummary summary;
     summary.cancelled = true;
     return summary;

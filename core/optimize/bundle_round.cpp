@@ -1,9 +1,7 @@
 #include "optimize/bundle_round.h"
 
-#include "optimize/linear_algebra.h"
+#include "optimize/ceres_setup.h"
 #include "optimize/reprojection_cost.h"
-
-#include <ceres/ceres.h>
 
 #include <deque>
 #include <memory>
@@ -26,27 +24,6 @@ constexpr int kCameraGroup = 1;
 constexpr double kHuberTolerance = 1e-4;
 constexpr double kSquaredTolerance = 1e-6;
 constexpr double kParameterTolerance = 0.0;
-
-class CancelCallback final : public ceres::IterationCallback {
- public:
-  explicit CancelCallback(const std::atomic<bool>* cancel) : cancel_(cancel) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return cancel_ != nullptr && cancel_->load() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-                                                 : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const std::atomic<bool>* cancel_;
-};
-
-ceres::Problem::Options borrowingEverything() {
-  ceres::Problem::Options options;
-  options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.disable_all_safety_checks = true;
-  return options;
-}
 
 /// A ceres::Problem and what it points to.
 struct RoundProblem {
@@ -111,7 +88,7 @@ RoundResult solveRound(const RoundInput& input, const RoundOptions& options, Bun
   addCameras(input.bundle, state, &round);
 
   ceres::Solver::Options ceres_options = solverOptions(options, round);
-  CancelCallback callback(options.cancel);
+  CancelCallback callback(options.cancel, ceres::SOLVER_TERMINATE_SUCCESSFULLY);
   ceres_options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_options, &round.problem, &summary);

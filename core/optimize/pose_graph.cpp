@@ -1,9 +1,7 @@
 #include "optimize/pose_graph.h"
 
-#include "optimize/linear_algebra.h"
+#include "optimize/ceres_setup.h"
 #include "optimize/similarity_cost.h"
-
-#include <ceres/ceres.h>
 
 #include <cassert>
 #include <cstddef>
@@ -20,27 +18,6 @@ constexpr double kParameterTolerance = 0.0;
 // Nearly Gauss-Newton: a long chain is so soft against bending that the usual damping (1e4) would
 // hold it, 20 iterations instead of 3 for 1000 cameras.
 constexpr double kInitialTrustRegion = 1e10;
-
-bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(); }
-
-class CancelCallback final : public ceres::IterationCallback {
- public:
-  explicit CancelCallback(const std::atomic<bool>* cancel) : cancel_(cancel) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return isSet(cancel_) ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const std::atomic<bool>* cancel_;
-};
-
-ceres::Problem::Options borrowingEverything() {
-  ceres::Problem::Options options;
-  options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.disable_all_safety_checks = true;
-  return options;
-}
 
 /// A ceres::Problem and what it points to.
 struct GraphProblem {
@@ -103,7 +80,7 @@ PoseGraphSummary solve(const PoseGraphOptions& options, PoseGraph* graph) {
   if (problem.free_vertices == 0) return result;
 
   ceres::Solver::Options ceres_options = solverOptions(options);
-  CancelCallback callback(options.cancel);
+  CancelCallback callback(options.cancel, ceres::SOLVER_ABORT);
   ceres_options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_options, &problem.problem, &summary);
@@ -111,7 +88,7 @@ PoseGraphSummary solve(const PoseGraphOptions& options, PoseGraph* graph) {
   result.initial_cost = summary.initial_cost;
   result.final_cost = summary.final_cost;
   if (!summary.iterations.empty()) result.iterations = summary.iterations.back().iteration;
-  result.cancelled = isSet(options.cancel);
+  result.cancelled = isCancelled(options.cancel);
   result.usable = summary.IsSolutionUsable() && !result.cancelled;
   if (result.usable) writeBack(problem, graph);
   return result;

@@ -3,6 +3,7 @@
 #include "support/synthetic_problem.h"
 #include "unit/loop/drifted_map.h"
 
+#include "loop/keyframe_graph.h"
 #include "loop/landmark_matching.h"
 #include "loop/projected_search.h"
 
