@@ -51,16 +51,21 @@ void AlignLoop::start(const SE3d& T_cam_ref_guess) const {
   state_.write(&state, sizeof(state));
 }
 
-void AlignLoop::run(const GpuPyramid& frame, const GpuReference& reference) const {
+void AlignLoop::run(const GpuPyramid& frame,
+                    const GpuReference& reference,
+                    GpuCommands& commands) const {
   for (int level = static_cast<int>(frame.levels.size()) - 1; level >= 0; --level) {
     for (int k = 0; k < max_iterations_; ++k) {
-      residual(frame, reference, level);
-      solve(reference, level);
+      residual(frame, reference, level, commands);
+      solve(reference, level, commands);
     }
   }
 }
 
-void AlignLoop::residual(const GpuPyramid& frame, const GpuReference& reference, int level) const {
+void AlignLoop::residual(const GpuPyramid& frame,
+                         const GpuReference& reference,
+                         int level,
+                         GpuCommands& commands) const {
   if (reference.pointCount() == 0) return;
   residual_.use();
   glUniform1i(kPointCount, reference.pointCount());
@@ -71,11 +76,11 @@ void AlignLoop::residual(const GpuPyramid& frame, const GpuReference& reference,
   bindStorage(1, reference.pixels());
   bindStorage(2, sums_);
   bindStorage(3, state_);
-  glDispatchCompute(groupCount(reference.pointCount(), group_size_), 1, 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the solve reads the sums
+  commands.dispatch(groupCount(reference.pointCount(), group_size_), 1);
+  commands.barrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the solve reads the sums
 }
 
-void AlignLoop::solve(const GpuReference& reference, int level) const {
+void AlignLoop::solve(const GpuReference& reference, int level, GpuCommands& commands) const {
   solve_.use();
   glUniform1i(kPointCount, reference.pointCount());
   glUniform1i(kLevel, level);
@@ -83,12 +88,12 @@ void AlignLoop::solve(const GpuReference& reference, int level) const {
   bindStorage(1, weights_);
   bindStorage(2, sums_);
   bindStorage(3, state_);
-  glDispatchCompute(1, 1, 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the next iteration reads the pose
+  commands.dispatch(1, 1);
+  commands.barrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the next iteration reads the pose
 }
 
-std::optional<GpuAlignState> AlignLoop::finish() const {
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // the state is mapped
+std::optional<GpuAlignState> AlignLoop::finish(GpuCommands& commands) const {
+  commands.barrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // the state is mapped
   const GlSync fence = GlSync::insert();
   if (!fence.wait(kTimeoutNs)) return std::nullopt;
   GpuAlignState state;

@@ -20,14 +20,17 @@ class AlignLoop {
   /// Sends the guess; the weights start at one.
   void start(const SE3d& T_cam_ref_guess) const;
   /// Issues every iteration of every level, coarse to fine.
-  void run(const GpuPyramid& frame, const GpuReference& reference) const;
+  void run(const GpuPyramid& frame, const GpuReference& reference, GpuCommands& commands) const;
   /// Waits for the GPU and reads the state: the one wait and the one readback of a frame. Nothing
   /// when the GPU does not answer in time.
-  std::optional<GpuAlignState> finish() const;
+  std::optional<GpuAlignState> finish(GpuCommands& commands) const;
 
   /// The two halves of an iteration, for tests of each kernel. Barriered for shader storage reads.
-  void residual(const GpuPyramid& frame, const GpuReference& reference, int level) const;
-  void solve(const GpuReference& reference, int level) const;
+  void residual(const GpuPyramid& frame,
+                const GpuReference& reference,
+                int level,
+                GpuCommands& commands) const;
+  void solve(const GpuReference& reference, int level, GpuCommands& commands) const;
   const GlBuffer& state() const { return state_; }
   const GlBuffer& sums() const { return sums_; }
   const GlBuffer& weights() const { return weights_; }

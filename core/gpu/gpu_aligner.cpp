@@ -86,8 +86,10 @@ void GpuAligner::loadFrame(const ImageViewU8& luma) {
   const ScopedGlState state;
   beginGlPass();
   timer_.begin(GpuTimer::Stage::pyramid);
-  stages_.upload.run(luma, stages_.frame.levels.front());
-  stages_.pyramid.run(stages_.frame);
+  commands_.beginStage(GpuStage::upload);
+  stages_.upload.run(luma, stages_.frame.levels.front(), commands_);
+  commands_.beginStage(GpuStage::pyramid);
+  stages_.pyramid.run(stages_.frame, commands_);
   timer_.end(GpuTimer::Stage::pyramid);
   has_frame_ = true;
   assertNoGlError("GpuAligner::loadFrame");
@@ -99,7 +101,8 @@ void GpuAligner::promoteReference(std::span<const AlignPoint> points_ref) {
   beginGlPass();
   timer_.begin(GpuTimer::Stage::precompute);
   bindConstants();
-  stages_.reference.precompute(stages_.frame, points_ref);
+  commands_.beginStage(GpuStage::precompute);
+  stages_.reference.precompute(stages_.frame, points_ref, commands_);
   timer_.end(GpuTimer::Stage::precompute);
   has_reference_ = true;
   assertNoGlError("GpuAligner::promoteReference");
@@ -114,9 +117,11 @@ AlignResult GpuAligner::align(const SE3d& T_cam_ref_guess) {
   timer_.begin(GpuTimer::Stage::align);
   bindConstants();
   stages_.loop.start(T_cam_ref_guess);
-  stages_.loop.run(stages_.frame, stages_.reference);
+  commands_.beginStage(GpuStage::track);
+  stages_.loop.run(stages_.frame, stages_.reference, commands_);
+  commands_.beginStage(GpuStage::readback);
   if (timer_.usesQueries()) timer_.end(GpuTimer::Stage::align);  // before the fence that brings it
-  const std::optional<GpuAlignState> finished = stages_.loop.finish();
+  const std::optional<GpuAlignState> finished = stages_.loop.finish(commands_);
   if (!timer_.usesQueries()) timer_.end(GpuTimer::Stage::align);  // the wait is the time
   timer_.collect();
   assertNoGlError("GpuAligner::align");

@@ -3,20 +3,17 @@
 #include "gpu/align_layout.h"
 #include "gpu/align_loop.h"
 #include "gpu/gl_caps.h"
+#include "gpu/gpu_commands.h"
 #include "gpu/gpu_pyramid.h"
 #include "gpu/gpu_reference.h"
 #include "gpu/gpu_timer.h"
+#include "gpu/gpu_tuning.h"
 #include "gpu/luma_upload.h"
 #include "photometric/aligner.h"
 
 #include <memory>
 
 namespace glide {
-
-/// What a device may be tuned by.
-struct GpuTuning {
-  int group_size = 64;  ///< invocations per workgroup: 32, 64 or 128
-};
 
 /// Aligner on OpenGL ES 3.1 compute: the contract of docs/algorithms/photometric-alignment.md in
 /// float. Lives on the GL thread: the context of create() is current in every call and on
@@ -42,6 +39,8 @@ class GpuAligner final : public Aligner {
   /// Not valid, with the guess as its pose, before a frame and a reference are there and when the
   /// GPU does not answer.
   AlignResult align(const SE3d& T_cam_ref_guess) override;
+  /// What the last loadFrame, promoteReference and align have issued.
+  const GpuCommands& commands() const { return commands_; }
   /// See GpuTimer for what the numbers mean.
   AlignTimes times() const override { return timer_.times(); }
   StageTimer timer() const override {
@@ -65,6 +64,7 @@ class GpuAligner final : public Aligner {
 
   Stages stages_;
   GpuTimer timer_;
+  GpuCommands commands_;
   bool has_frame_ = false;
   bool has_reference_ = false;
 };

@@ -25,7 +25,7 @@ Result<PyramidPass> PyramidPass::create(int group_size) {
   return PyramidPass(std::move(*down), group_size);
 }
 
-void PyramidPass::run(const GpuPyramid& pyramid) const {
+void PyramidPass::run(const GpuPyramid& pyramid, GpuCommands& commands) const {
   down_.use();
   glActiveTexture(GL_TEXTURE0);
   const int rows_per_group = group_size_ / kGroupWidth * kStripRows;
@@ -33,9 +33,9 @@ void PyramidPass::run(const GpuPyramid& pyramid) const {
     const GlTexture& coarser = pyramid.levels[l];
     glBindTexture(GL_TEXTURE_2D, pyramid.levels[l - 1].get());
     glBindImageTexture(0, coarser.get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-    glDispatchCompute(
-        groupCount(coarser.width(), kGroupWidth), groupCount(coarser.height(), rows_per_group), 1);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // the next level and the aligner fetch it
+    commands.dispatch(groupCount(coarser.width(), kGroupWidth),
+                      groupCount(coarser.height(), rows_per_group));
+    commands.barrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // the next level and the aligner fetch it
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "gpu/compute_program.h"
 #include "gpu/gl_objects.h"
+#include "gpu/gpu_commands.h"
 
 #include <vector>
 
@@ -20,7 +21,7 @@ class PyramidPass {
   static Result<PyramidPass> create(int group_size);
 
   /// Level 0 is complete and barriered for texture fetches; on return so are all levels.
-  void run(const GpuPyramid& pyramid) const;
+  void run(const GpuPyramid& pyramid, GpuCommands& commands) const;
 
  private:
   PyramidPass(ComputeProgram down, int group_size)

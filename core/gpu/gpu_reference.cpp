@@ -31,7 +31,9 @@ GpuReference::GpuReference(ComputeProgram kernel, const GpuAlignSpec& spec)
   pixels_ = GlBuffer::allocate(pixelCacheBytes(spec), GL_DYNAMIC_COPY);
 }
 
-void GpuReference::precompute(const GpuPyramid& pyramid, std::span<const AlignPoint> points_ref) {
+void GpuReference::precompute(const GpuPyramid& pyramid,
+                              std::span<const AlignPoint> points_ref,
+                              GpuCommands& commands) {
   points_ref = points_ref.first(std::min(points_ref.size(), staging_.size() / kPointFloats));
   point_count_ = static_cast<int>(points_ref.size());
   if (points_ref.empty()) return;
@@ -53,10 +55,10 @@ void GpuReference::precompute(const GpuPyramid& pyramid, std::span<const AlignPo
   for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
     glBindTexture(GL_TEXTURE_2D, pyramid.levels[l].get());
     glUniform1i(kLevel, static_cast<GLint>(l));
-    glDispatchCompute(groupCount(point_count_, group_size_), 1, 1);
+    commands.dispatch(groupCount(point_count_, group_size_), 1);
   }
   // The iterations read records and pixels. Levels write disjoint parts: no barrier between them.
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  commands.barrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 }  // namespace glide

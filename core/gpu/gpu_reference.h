@@ -2,6 +2,7 @@
 
 #include "gpu/align_layout.h"
 #include "gpu/compute_program.h"
+#include "gpu/gpu_commands.h"
 #include "gpu/gpu_pyramid.h"
 #include "photometric/align_types.h"
 
@@ -17,7 +18,9 @@ class GpuReference {
 
   /// Describes the first max_points of `points_ref` in the reference's pyramid, all levels. The
   /// caller has bound the constants to uniform binding 0. Barriered for shader storage reads.
-  void precompute(const GpuPyramid& pyramid, std::span<const AlignPoint> points_ref);
+  void precompute(const GpuPyramid& pyramid,
+                  std::span<const AlignPoint> points_ref,
+                  GpuCommands& commands);
 
   int pointCount() const { return point_count_; }
   /// GpuPointRecord [level][max_points].

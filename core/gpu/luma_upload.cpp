@@ -14,7 +14,9 @@ Result<LumaUpload> LumaUpload::create(int width, int height, int group_size) {
   return LumaUpload(GlTexture::allocate(GL_R8UI, width, height), std::move(*convert), group_size);
 }
 
-void LumaUpload::run(const ImageViewU8& luma, const GlTexture& level0) const {
+void LumaUpload::run(const ImageViewU8& luma,
+                     const GlTexture& level0,
+                     GpuCommands& commands) const {
   assert(luma.width == bytes_.width() && luma.height == bytes_.height());
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, bytes_.get());
@@ -25,10 +27,10 @@ void LumaUpload::run(const ImageViewU8& luma, const GlTexture& level0) const {
   convert_.use();
   glBindImageTexture(0, level0.get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   // The previous frame's kernels have fetched what the image stores of this frame overwrite.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  glDispatchCompute(
-      groupCount(luma.width, kGroupWidth), groupCount(luma.height, group_size_ / kGroupWidth), 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // pyramid_down fetches level 0
+  commands.barrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  commands.dispatch(groupCount(luma.width, kGroupWidth),
+                    groupCount(luma.height, group_size_ / kGroupWidth));
+  commands.barrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // pyramid_down fetches level 0
 }
 
 }  // namespace glide

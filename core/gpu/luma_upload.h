@@ -2,6 +2,7 @@
 
 #include "gpu/compute_program.h"
 #include "gpu/gl_objects.h"
+#include "gpu/gpu_commands.h"
 
 #include "image/image.h"
 
@@ -15,7 +16,7 @@ class LumaUpload {
   /// Copies `luma`, which has the size given at creation, and converts it into `level0`, barriered
   /// for texture fetches. Pixel unpack state is neutral (ScopedGlState); the row length is left
   /// changed.
-  void run(const ImageViewU8& luma, const GlTexture& level0) const;
+  void run(const ImageViewU8& luma, const GlTexture& level0, GpuCommands& commands) const;
 
  private:
   LumaUpload(GlTexture bytes, ComputeProgram convert, int group_size)

@@ -55,8 +55,9 @@ class GpuSetup {
       points_.push_back({p_ref});
     }
     frame_ = scene.render(camera, movedCamera(), {});
-    aligner_ =
-        GpuAligner::createTuned(*caps, direct, camera, {static_cast<int>(bench->range(1))}).value();
+    GpuTuning tuning;
+    tuning.group_size = static_cast<int>(bench->range(1));
+    aligner_ = GpuAligner::createTuned(*caps, direct, camera, tuning).value();
     aligner_->loadFrame(scene.render(camera, SE3d{}, {}).view());
     aligner_->promoteReference(points_);
     aligner_->align(SE3d{});  // builds what drivers build at first use

@@ -47,10 +47,11 @@ struct KernelRig {
   GpuPyramid pyramid;
   GpuReference reference;
   AlignLoop loop;
+  GpuCommands commands;
 
-  void load(const ImageU8& image) const {
-    upload.run(image.view(), pyramid.levels.front());
-    pass.run(pyramid);
+  void load(const ImageU8& image) {
+    upload.run(image.view(), pyramid.levels.front(), commands);
+    pass.run(pyramid, commands);
   }
 };
 
@@ -64,7 +65,8 @@ KernelRig makeRig(const GpuAlignSpec& spec) {
           PyramidPass::create(spec.group_size).value(),
           GpuPyramid::allocate(width, height, spec.levels),
           GpuReference::create(spec).value(),
-          AlignLoop::create(spec).value()};
+          AlignLoop::create(spec).value(),
+          GpuCommands()};
 }
 
 std::vector<TwinPoint> describeAll(const AlignScene& scene, const GpuAlignSpec& spec, int level) {
@@ -144,7 +146,7 @@ TEST_P(AlignKernelsTest, PrecomputeMatchesTwinOnEveryLevel) {
   const ScopedGlState state;
   KernelRig rig = makeRig(spec);
   rig.load(scene.reference);
-  rig.reference.precompute(rig.pyramid, scene.points_ref);
+  rig.reference.precompute(rig.pyramid, scene.points_ref, rig.commands);
   const CacheContents cache{readBuffer<GpuPointRecord>(rig.reference.records()),
                             readBuffer<float>(rig.reference.pixels())};
   int valid = 0;
@@ -170,12 +172,12 @@ TEST_P(AlignKernelsTest, ResidualSumsMatchTwinOnEveryLevel) {
   const ScopedGlState state;
   KernelRig rig = makeRig(spec);
   rig.load(scene.reference);
-  rig.reference.precompute(rig.pyramid, scene.points_ref);
+  rig.reference.precompute(rig.pyramid, scene.points_ref, rig.commands);
   rig.load(scene.frame);
   const Pyramid frame = scene.framePyramid(kLevels);
   for (int level = 0; level < kLevels; ++level) {
     rig.loop.start(scene.T_cam_ref);
-    rig.loop.residual(rig.pyramid, rig.reference, level);
+    rig.loop.residual(rig.pyramid, rig.reference, level, rig.commands);
     const auto sums = readBuffer<GpuPointSums>(rig.loop.sums());
     const std::vector<TwinPoint> points = describeAll(scene, spec, level);
     const ImageF& image = frame.levels[static_cast<std::size_t>(level)];
@@ -209,7 +211,7 @@ void expectSameSolution(const AlignResult& gpu, const TwinState& twin) {
 }
 
 /// One iteration: the twin's sums go in, so that only the solve kernel is compared.
-void solveBoth(const KernelRig& rig,
+void solveBoth(KernelRig& rig,
                const Config::Direct& direct,
                const std::vector<TwinPoint>& points,
                const std::vector<TwinSums>& sums,
@@ -217,7 +219,7 @@ void solveBoth(const KernelRig& rig,
   std::vector<GpuPointSums> packed;
   std::transform(sums.begin(), sums.end(), std::back_inserter(packed), packSums);
   overwrite(rig.loop.sums(), packed);
-  rig.loop.solve(rig.reference, 0);
+  rig.loop.solve(rig.reference, 0, rig.commands);
   const AlignResult gpu = toResult(readBuffer<GpuAlignState>(rig.loop.state()).front());
   ASSERT_TRUE(solveTwin(points, sums, direct, twin));
   expectSameSolution(gpu, *twin);
@@ -233,7 +235,8 @@ void expectSameIterations(const AlignScene& scene, const GpuAlignSpec& spec) {
   const ScopedGlState state;
   KernelRig rig = makeRig(spec);
   rig.load(scene.reference);
-  rig.reference.precompute(rig.pyramid, scene.points_ref);  // for the number of points
+  rig.reference.precompute(
+      rig.pyramid, scene.points_ref, rig.commands);  // for the number of points
   const std::vector<TwinPoint> points = describeAll(scene, spec, 0);
   std::vector<GpuPointRecord> records;
   std::transform(points.begin(), points.end(), std::back_inserter(records), packRecord);

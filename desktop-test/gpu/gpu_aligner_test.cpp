@@ -17,6 +17,12 @@ using ::testing::HasSubstr;
 /// Pose of the GPU against the CPU's: float against double, scene units and radians.
 constexpr double kPoseTolerance = 1e-4;
 
+GpuTuning tuningOf(int group_size) {
+  GpuTuning tuning;
+  tuning.group_size = group_size;
+  return tuning;
+}
+
 class GpuAlignerTest : public GlTest {
  protected:
   AlignScene scene(const SE3d& T_cam_ref, const Exposure& exposure) const {
@@ -31,7 +37,7 @@ class GpuAlignerTest : public GlTest {
                                    const CameraModel& camera,
                                    int group_size) const {
     Result<std::unique_ptr<Aligner>> made =
-        GpuAligner::createTuned(caps(), direct, camera, GpuTuning{group_size});
+        GpuAligner::createTuned(caps(), direct, camera, tuningOf(group_size));
     EXPECT_TRUE(made.ok()) << made.error().message;
     return std::move(*made);
   }
@@ -254,7 +260,7 @@ TEST_F(GpuAlignerTest, NamesTheLimitThatAContextLacks) {
   made = GpuAligner::create(small, Config::Direct{}, camera);
   ASSERT_FALSE(made.ok());
   EXPECT_THAT(made.error().message, HasSubstr("max_points"));
-  made = GpuAligner::createTuned(caps(), Config::Direct{}, camera, GpuTuning{48});
+  made = GpuAligner::createTuned(caps(), Config::Direct{}, camera, tuningOf(48));
   ASSERT_FALSE(made.ok());
   EXPECT_THAT(made.error().message, HasSubstr("group_size"));
 }

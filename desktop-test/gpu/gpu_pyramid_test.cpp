@@ -26,8 +26,9 @@ class GpuPyramidTest : public GlTest {
     const Result<LumaUpload> upload = LumaUpload::create(luma.width, luma.height, group_size);
     const Result<PyramidPass> pass = PyramidPass::create(group_size);
     EXPECT_TRUE(upload.ok() && pass.ok());
-    upload->run(luma, pyramid.levels.front());
-    pass->run(pyramid);
+    GpuCommands commands;
+    upload->run(luma, pyramid.levels.front(), commands);
+    pass->run(pyramid, commands);
     return pyramid;
   }
 };

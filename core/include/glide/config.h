@@ -4,6 +4,8 @@
 #include "glide/types.h"
 #include "glide/version.h"
 
+#include <string>
+
 namespace glide {
 
 /// Where the direct tracker runs.
@@ -49,6 +51,26 @@ enum class CalibrationRefinement {
   on,   ///< The map corrects k1 when it is sure that the calibration is off
         ///< (MapView::corrected_camera).
   off,  ///< The calibration is used as given.
+};
+
+/// What a call does to the GL state of the app's context (docs/gl-contract.md).
+enum class GlStatePolicy {
+  preserve,  ///< Every piece of state is put back as it was found.
+  reset,     ///< What was touched is put to the initial values of OpenGL ES.
+  none,      ///< What was touched stays as the last kernel left it.
+};
+
+/// How the direct tracker's kernels are cut into commands.
+enum class GpuPlanChoice {
+  automatic,  ///< What is fastest on the device (Config::Gl::tuning).
+  fused,      ///< Few commands: fused reductions, coarse levels inside one workgroup.
+  paper,      ///< The structure of the paper's section III (for comparison).
+};
+
+/// Whether group sizes and plans are tried on the device at creation.
+enum class GpuAutotune {
+  on,   ///< Once per device, driver, image size and patch: up to 300 ms; then from gl.cache_dir.
+  off,  ///< What the cache knows of the device, else the defaults.
 };
 
 /// Everything that can be tuned. Each field has its unit and range beside it; config_fields.h lists
@@ -141,6 +163,16 @@ struct Config {
   struct Loop {
     LoopClosing closing = LoopClosing::on;
   } loop;
+
+  /// The OpenGL ES backend.
+  struct Gl {
+    GlStatePolicy state = GlStatePolicy::preserve;
+    GpuPlanChoice plan = GpuPlanChoice::automatic;
+    GpuAutotune autotune = GpuAutotune::on;
+    /// Folder of program binaries and of what the autotuner chose; made when it is missing. Empty:
+    /// nothing is kept. On Android an app gives its cache folder.
+    std::string cache_dir;
+  } gl;
 };
 
 /// Ok, or an invalid_argument error that names the first field out of its range.

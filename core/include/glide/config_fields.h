@@ -126,10 +126,19 @@ void visitLoop(ConfigT& config, Visitor& visit) {
   visit(FieldInfo{"loop.closing", ""}, config.loop.closing);
 }
 
+template <class ConfigT, class Visitor>
+void visitGl(ConfigT& config, Visitor& visit) {
+  visit(FieldInfo{"gl.state", ""}, config.gl.state);
+  visit(FieldInfo{"gl.plan", ""}, config.gl.plan);
+  visit(FieldInfo{"gl.autotune", ""}, config.gl.autotune);
+  visit(FieldInfo{"gl.cache_dir", ""}, config.gl.cache_dir);
+}
+
 }  // namespace config_fields
 
 /// Calls visit(FieldInfo, field&) for every field of a Config (or const Config&) in the order of
-/// config.h. Fields are int, double, an enum that has enumNames(), or std::vector<double>. This is
+/// config.h. Fields are int, double, an enum that has enumNames(), std::string,
+/// or std::vector<double>. This is
 /// the one list of names and ranges: validate(), --set, --print-config and stats.json all read it.
 template <class ConfigT, class Visitor>
 void forEachField(ConfigT& config, Visitor&& visit) {
@@ -143,6 +152,7 @@ void forEachField(ConfigT& config, Visitor&& visit) {
   config_fields::visitMapping(config, visit);
   config_fields::visitCalibration(config, visit);
   config_fields::visitLoop(config, visit);
+  config_fields::visitGl(config, visit);
 }
 
 }  // namespace glide

@@ -35,6 +35,19 @@ constexpr std::array<EnumName<CalibrationRefinement>, 2> enumNames(CalibrationRe
 constexpr std::array<EnumName<LoopClosing>, 2> enumNames(LoopClosing) {
   return {{{LoopClosing::on, "on"}, {LoopClosing::off, "off"}}};
 }
+constexpr std::array<EnumName<GlStatePolicy>, 3> enumNames(GlStatePolicy) {
+  return {{{GlStatePolicy::preserve, "preserve"},
+           {GlStatePolicy::reset, "reset"},
+           {GlStatePolicy::none, "none"}}};
+}
+constexpr std::array<EnumName<GpuPlanChoice>, 3> enumNames(GpuPlanChoice) {
+  return {{{GpuPlanChoice::automatic, "auto"},
+           {GpuPlanChoice::fused, "fused"},
+           {GpuPlanChoice::paper, "paper"}}};
+}
+constexpr std::array<EnumName<GpuAutotune>, 2> enumNames(GpuAutotune) {
+  return {{{GpuAutotune::on, "on"}, {GpuAutotune::off, "off"}}};
+}
 constexpr std::array<EnumName<PhotometricModel>, 2> enumNames(PhotometricModel) {
   return {{{PhotometricModel::none, "none"}, {PhotometricModel::gain_bias, "gain_bias"}}};
 }

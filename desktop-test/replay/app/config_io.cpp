@@ -58,6 +58,11 @@ Fault parseInto(const std::string& text, std::vector<double>& target) {
   return std::nullopt;
 }
 
+Fault parseInto(const std::string& text, std::string& target) {
+  target = text;
+  return std::nullopt;
+}
+
 template <class E, std::enable_if_t<std::is_enum_v<E>, int> = 0>
 Fault parseInto(const std::string& text, E& target) {
   const std::optional<E> value = enumFromName<E>(text);
@@ -139,6 +144,8 @@ std::string valueText(const T& value) {
     return std::string(enumName(value));
   } else if constexpr (std::is_arithmetic_v<T>) {
     return fmt::format("{}", value);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return value.empty() ? "\"\"" : value;
   } else {
     return fmt::format("[{}]", fmt::join(value, ", "));
   }
@@ -151,6 +158,8 @@ std::string rangeText(const FieldInfo& field, const T& value) {
   } else if constexpr (std::is_arithmetic_v<T>) {
     return fmt::format(
         "{}{}{:g}..{:g}", field.unit, field.unit.empty() ? "" : ", ", field.min, field.max);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return "text";
   } else {
     return "as many as the model says";
   }
