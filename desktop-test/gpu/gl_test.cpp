@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 #include <random>
+#include <regex>
 #include <string_view>
 
 namespace glide::test {
@@ -47,6 +48,16 @@ bool glRequired() {
   return value != nullptr && std::string_view(value) == "1";
 }
 
+/// What is wrong with the driver: GLIDE_GL_RENDERER is a regular expression of the one that is
+/// tested (scripts/drivers.sh).
+std::optional<std::string> otherDriver(const GlCaps& caps) {
+  const char* wanted = std::getenv("GLIDE_GL_RENDERER");
+  if (wanted == nullptr || std::regex_search(caps.renderer, std::regex(wanted))) {
+    return std::nullopt;
+  }
+  return "GLIDE_GL_RENDERER is " + std::string(wanted) + ", but this is " + caps.renderer;
+}
+
 }  // namespace
 
 void GlTest::SetUp() {
@@ -61,6 +72,7 @@ void GlTest::SetUp() {
   }
   if (problem && glRequired()) FAIL() << "GLIDE_REQUIRE_GL=1, but " << *problem;
   if (problem) GTEST_SKIP() << "no GL: " << *problem;
+  if (const auto other = otherDriver(caps_)) FAIL() << *other;
   shared.messages.clear();
 }
 

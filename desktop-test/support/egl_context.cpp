@@ -4,7 +4,9 @@
 #include <EGL/eglext.h>
 
 #include <array>
+#include <cstdlib>
 #include <cstring>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,35 +38,51 @@ std::vector<EGLDeviceEXT> eglDevices() {
   return {devices.begin(), devices.begin() + count};
 }
 
-/// ANGLE, which new Androids put under OpenGL ES, on its software Vulkan.
-EGLDisplay angleDisplay(PFNEGLGETPLATFORMDISPLAYEXTPROC get) {
+// EGL_ANGLE_platform_angle and its siblings; Mesa's eglext_angle.h lacks them.
+constexpr EGLenum kPlatformAngle = 0x3202;
+constexpr EGLint kAngleType = 0x3203, kAngleVulkan = 0x3450;
+constexpr EGLint kAngleDevice = 0x3209, kAngleHardware = 0x320A, kAngleSwiftShader = 0x3487;
+constexpr EGLint kAngleNativePlatform = 0x348F, kAngleHeadless = 0x34A6;
+
+/// ANGLE, which new Androids put under OpenGL ES, on a Vulkan device of this type.
+EGLDisplay angleDisplay(PFNEGLGETPLATFORMDISPLAYEXTPROC get, EGLint device_type) {
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (extensions == nullptr || std::strstr(extensions, "EGL_ANGLE_platform_angle") == nullptr) {
     return EGL_NO_DISPLAY;
   }
-  // EGL_ANGLE_platform_angle and its siblings; Mesa's eglext_angle.h lacks them.
-  constexpr EGLenum kPlatformAngle = 0x3202;
-  constexpr EGLint kType = 0x3203, kVulkan = 0x3450;
-  constexpr EGLint kDevice = 0x3209, kSwiftShader = 0x3487;
-  constexpr EGLint kNativePlatform = 0x348F, kHeadless = 0x34A6;
-  const EGLint wanted[] = {
-      kType, kVulkan, kDevice, kSwiftShader, kNativePlatform, kHeadless, EGL_NONE};
+  const EGLint wanted[] = {kAngleType,
+                           kAngleVulkan,
+                           kAngleDevice,
+                           device_type,
+                           kAngleNativePlatform,
+                           kAngleHeadless,
+                           EGL_NONE};
   return get(kPlatformAngle, EGL_DEFAULT_DISPLAY, wanted);
+}
+
+/// What GLIDE_EGL_PLATFORM allows: one platform, or all when it is not set.
+bool isAllowed(std::string_view platform) {
+  const char* wanted = std::getenv("GLIDE_EGL_PLATFORM");
+  return wanted == nullptr || *wanted == '\0' || platform == wanted;
 }
 
 std::vector<Candidate> candidates() {
   std::vector<Candidate> found;
   const auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
       eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  const auto add = [&](const char* platform, const auto& display) {
+    if (isAllowed(platform)) found.push_back({platform, display()});
+  };
   if (get != nullptr) {
-    found.push_back(
-        {"surfaceless", get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
-    found.push_back({"angle", angleDisplay(get)});
+    add("surfaceless",
+        [&] { return get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr); });
+    add("angle-swiftshader", [&] { return angleDisplay(get, kAngleSwiftShader); });
+    add("angle-vulkan", [&] { return angleDisplay(get, kAngleHardware); });
     for (EGLDeviceEXT device : eglDevices()) {
-      found.push_back({"device", get(EGL_PLATFORM_DEVICE_EXT, device, nullptr)});
+      add("device", [&] { return get(EGL_PLATFORM_DEVICE_EXT, device, nullptr); });
     }
   }
-  found.push_back({"default", eglGetDisplay(EGL_DEFAULT_DISPLAY)});
+  add("default", [] { return eglGetDisplay(EGL_DEFAULT_DISPLAY); });
   return found;
 }
 
@@ -126,6 +144,7 @@ Result<EglContext> EglContext::create(EglDebug debug) {
     }
     problems += (problems.empty() ? "" : "; ") + candidate.platform + ": " + problem;
   }
+  if (problems.empty()) problems = "GLIDE_EGL_PLATFORM names no platform of this EGL";
   return Error{ErrorCode::unsupported, "no OpenGL ES 3.1 context (" + problems + ")"};
 }
 

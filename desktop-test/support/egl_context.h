@@ -11,8 +11,9 @@ namespace glide::test {
 enum class EglDebug { off, on };
 
 /// An OpenGL ES 3.1 context without any window, current on the thread that made it until it is
-/// destroyed there. Tries Mesa's surfaceless platform, then ANGLE, EGL devices, then the default
-/// display.
+/// destroyed there. Tries Mesa's surfaceless platform, ANGLE on SwiftShader, ANGLE on another
+/// Vulkan device, EGL devices, then the default display; or only the platform that the environment
+/// variable GLIDE_EGL_PLATFORM names.
 class EglContext {
  public:
   /// unsupported, with what each platform said, when there is no such context.
@@ -22,7 +23,8 @@ class EglContext {
   EglContext& operator=(EglContext&& other) noexcept;
   ~EglContext();
 
-  /// The platform that gave the context: "surfaceless", "angle", "device" or "default".
+  /// The platform that gave the context: "surfaceless", "angle-swiftshader",
+  /// "angle-vulkan", "device" or "default".
   const std::string& platform() const { return platform_; }
 
   /// EGLDisplay and EGLContext, for tests that need more of EGL.
