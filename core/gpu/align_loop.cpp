@@ -37,7 +37,7 @@ Result<AlignLoop> AlignLoop::create(const GpuAlignSpec& spec) {
 AlignLoop::AlignLoop(ComputeProgram residual, ComputeProgram solve, const GpuAlignSpec& spec)
     : residual_(std::move(residual)),
       solve_(std::move(solve)),
-      group_size_(spec.group_size),
+      group_size_(spec.tuning.group_size),
       max_iterations_(spec.direct.max_iterations) {
   const std::int64_t points = spec.direct.max_points;
   const auto bytes = [&](std::size_t each) { return points * static_cast<std::int64_t>(each); };
@@ -55,6 +55,7 @@ void AlignLoop::run(const GpuPyramid& frame,
                     const GpuReference& reference,
                     GpuCommands& commands) const {
   for (int level = static_cast<int>(frame.levels.size()) - 1; level >= 0; --level) {
+    commands.beginLevel(level);
     for (int k = 0; k < max_iterations_; ++k) {
       residual(frame, reference, level, commands);
       solve(reference, level, commands);

@@ -10,7 +10,7 @@ namespace glide {
 namespace {
 
 std::optional<Error> checkLimits(const GlCaps& caps, const GpuAlignSpec& spec) {
-  if (spec.group_size != 32 && spec.group_size != 64 && spec.group_size != 128) {
+  if (spec.tuning.group_size != 32 && spec.tuning.group_size != 64 && spec.tuning.group_size != 128) {
     return Error{ErrorCode::invalid_argument, "group_size must be 32, 64 or 128"};
   }
   const int longest = std::max(spec.camera.width(), spec.camera.height());
@@ -41,26 +41,36 @@ Result<std::unique_ptr<Aligner>> GpuAligner::createTuned(const GlCaps& caps,
                                                          const Config::Direct& direct,
                                                          const CameraModel& camera,
                                                          const GpuTuning& tuning) {
+  auto aligner = createTimed(caps, direct, camera, tuning, GpuTiming::passive);
+  if (!aligner) return aligner.error();
+  return std::unique_ptr<Aligner>(std::move(*aligner));
+}
+
+Result<std::unique_ptr<GpuAligner>> GpuAligner::createTimed(const GlCaps& caps,
+                                                            const Config::Direct& direct,
+                                                            const CameraModel& camera,
+                                                            const GpuTuning& tuning,
+                                                            GpuTiming timing) {
   const int levels = pyramidLevels(camera.width(), camera.height(), direct.levels);
-  const GpuAlignSpec spec{direct, camera, levels, tuning.group_size};
+  const GpuAlignSpec spec{direct, camera, levels, tuning};
   if (std::optional<Error> error = checkLimits(caps, spec)) return *std::move(error);
   const ScopedGlState state;
   drainGlErrors();
   Result<Stages> stages = createStages(spec);
   if (!stages) return stages.error();
-  GpuTimer timer = GpuTimer::create(caps);
+  GpuTimer timer = GpuTimer::create(caps, timing);
   if (std::optional<Error> error = takeGlError("creating the GPU aligner")) {
     return *std::move(error);
   }
-  return std::unique_ptr<Aligner>(new GpuAligner(std::move(*stages), std::move(timer)));
+  return std::unique_ptr<GpuAligner>(new GpuAligner(std::move(*stages), std::move(timer)));
 }
 
 Result<GpuAligner::Stages> GpuAligner::createStages(const GpuAlignSpec& spec) {
   const int width = spec.camera.width();
   const int height = spec.camera.height();
-  Result<LumaUpload> upload = LumaUpload::create(width, height, spec.group_size);
+  Result<LumaUpload> upload = LumaUpload::create(width, height, spec.tuning.group_size);
   if (!upload) return upload.error();
-  Result<PyramidPass> pyramid = PyramidPass::create(spec.group_size);
+  Result<PyramidPass> pyramid = PyramidPass::create(spec.tuning.group_size);
   if (!pyramid) return pyramid.error();
   Result<GpuReference> reference = GpuReference::create(spec);
   if (!reference) return reference.error();
@@ -82,28 +92,30 @@ void GpuAligner::bindConstants() const {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stages_.constants.get());
 }
 
-void GpuAligner::loadFrame(const ImageViewU8& luma) {
+Status GpuAligner::loadFrame(const FrameImage& image) {
+  const auto* luma = std::get_if<ImageViewU8>(&image);
+  if (luma == nullptr) return Error{ErrorCode::unsupported, "textures are not read yet"};
   const ScopedGlState state;
   beginGlPass();
-  timer_.begin(GpuTimer::Stage::pyramid);
   commands_.beginStage(GpuStage::upload);
-  stages_.upload.run(luma, stages_.frame.levels.front(), commands_);
+  stages_.upload.run(*luma, stages_.frame.levels.front(), commands_);
+  commands_.endStage();
   commands_.beginStage(GpuStage::pyramid);
   stages_.pyramid.run(stages_.frame, commands_);
-  timer_.end(GpuTimer::Stage::pyramid);
+  commands_.endStage();
   has_frame_ = true;
   assertNoGlError("GpuAligner::loadFrame");
+  return Unit{};
 }
 
 void GpuAligner::promoteReference(std::span<const AlignPoint> points_ref) {
   assert(has_frame_);
   const ScopedGlState state;
   beginGlPass();
-  timer_.begin(GpuTimer::Stage::precompute);
-  bindConstants();
   commands_.beginStage(GpuStage::precompute);
+  bindConstants();
   stages_.reference.precompute(stages_.frame, points_ref, commands_);
-  timer_.end(GpuTimer::Stage::precompute);
+  commands_.endStage();
   has_reference_ = true;
   assertNoGlError("GpuAligner::promoteReference");
 }
@@ -114,15 +126,14 @@ AlignResult GpuAligner::align(const SE3d& T_cam_ref_guess) {
   if (!has_frame_ || !has_reference_) return refused;
   const ScopedGlState state;
   beginGlPass();
-  timer_.begin(GpuTimer::Stage::align);
+  commands_.beginStage(GpuStage::track);
   bindConstants();
   stages_.loop.start(T_cam_ref_guess);
-  commands_.beginStage(GpuStage::track);
   stages_.loop.run(stages_.frame, stages_.reference, commands_);
+  commands_.endStage();
   commands_.beginStage(GpuStage::readback);
-  if (timer_.usesQueries()) timer_.end(GpuTimer::Stage::align);  // before the fence that brings it
   const std::optional<GpuAlignState> finished = stages_.loop.finish(commands_);
-  if (!timer_.usesQueries()) timer_.end(GpuTimer::Stage::align);  // the wait is the time
+  commands_.endStage();
   timer_.collect();
   assertNoGlError("GpuAligner::align");
   return finished ? toResult(*finished) : refused;

@@ -32,8 +32,14 @@ class GpuAligner final : public Aligner {
                                                       const Config::Direct& direct,
                                                       const CameraModel& camera,
                                                       const GpuTuning& tuning);
+  /// The same for benchmarks: with a timer that may wait.
+  static Result<std::unique_ptr<GpuAligner>> createTimed(const GlCaps& caps,
+                                                         const Config::Direct& direct,
+                                                         const CameraModel& camera,
+                                                         const GpuTuning& tuning,
+                                                         GpuTiming timing);
 
-  void loadFrame(const ImageViewU8& luma) override;
+  Status loadFrame(const FrameImage& image) override;
   void promoteReference(std::span<const AlignPoint> points_ref) override;
   bool hasReference() const override { return has_reference_; }
   /// Not valid, with the guess as its pose, before a frame and a reference are there and when the
@@ -43,6 +49,7 @@ class GpuAligner final : public Aligner {
   const GpuCommands& commands() const { return commands_; }
   /// See GpuTimer for what the numbers mean.
   AlignTimes times() const override { return timer_.times(); }
+  const GpuTimer& stageTimes() const { return timer_; }
   StageTimer timer() const override {
     return timer_.usesQueries() ? StageTimer::query : StageTimer::sync;
   }
@@ -64,7 +71,7 @@ class GpuAligner final : public Aligner {
 
   Stages stages_;
   GpuTimer timer_;
-  GpuCommands commands_;
+  GpuCommands commands_{&timer_};
   bool has_frame_ = false;
   bool has_reference_ = false;
 };

@@ -17,12 +17,24 @@ struct GpuCommandCount {
   int barriers = 0;
 };
 
-/// Issues dispatches and barriers and counts them by stage: what docs/benchmarks.md calls the
-/// command count. All compute work of core/gpu goes through it.
+class GpuTimer;
+
+/// Issues dispatches and barriers, counts them by stage (what docs/benchmarks.md calls the command
+/// count) and lets a timer time the stages. All compute work of core/gpu goes through it.
 class GpuCommands {
  public:
+  /// Counts without a timer.
+  GpuCommands() = default;
+  /// `timer` outlives this.
+  explicit GpuCommands(GpuTimer* timer) : timer_(timer) {}
+
   /// Later commands count for `stage`; its count starts at zero.
   void beginStage(GpuStage stage);
+  /// What the stage has issued so far is its work.
+  void endStage();
+  /// Later work of the track stage is that of `level`, or of it and those below when one command
+  /// does several: for benchmarks that look at levels (GpuTiming::levels).
+  void beginLevel(int level);
   void dispatch(GLuint groups_x, GLuint groups_y);
   /// glMemoryBarrier.
   void barrier(GLbitfield bits);
@@ -35,6 +47,7 @@ class GpuCommands {
 
   std::array<GpuCommandCount, kGpuStages> counts_{};
   GpuStage stage_ = GpuStage::upload;
+  GpuTimer* timer_ = nullptr;
 };
 
 }  // namespace glide
