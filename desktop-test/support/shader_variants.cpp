@@ -1,0 +1,91 @@
+#include "support/shader_variants.h"
+
+#include <algorithm>
+#include <set>
+
+namespace glide::test {
+namespace {
+
+/// A define and the values that it takes.
+struct Axis {
+  std::string_view define;
+  std::vector<int> values;
+};
+
+/// A shader and the defines that it needs, which vary independently.
+struct Family {
+  std::string_view shader;
+  std::vector<Axis> axes;
+};
+
+/// THE list.
+std::vector<Family> families() {
+  const Axis group_size{"GROUP_SIZE", {32, 64, 128}};  // GpuTuning::group_size
+  const Axis group_rows{"GROUP_ROWS", {1, 2, 4}};      // of 32 invocations: the same group sizes
+  const Axis patch_size{"PATCH_SIZE", {7, 11}};        // of TUM's and EuRoC's images in the paper
+  const Axis camera_model{"CAMERA_MODEL", {0, 1, 2}};  // alignDefines()
+  const Axis strip_rows{"STRIP_ROWS", {4}};
+  return {{"align_precompute.comp", {group_size, patch_size, camera_model}},
+          {"align_residual.comp", {group_size, patch_size, camera_model}},
+          {"align_solve.comp", {group_size, patch_size}},
+          {"luma_to_float.comp", {group_rows}},
+          {"pyramid_down.comp", {group_rows, strip_rows}}};
+}
+
+/// All combinations of the values of `axes`.
+std::vector<ShaderDefines> combinations(const std::vector<Axis>& axes) {
+  std::vector<ShaderDefines> all{{}};
+  for (const Axis& axis : axes) {
+    std::vector<ShaderDefines> longer;
+    for (const ShaderDefines& head : all) {
+      for (const int value : axis.values) {
+        longer.push_back(head);
+        longer.back().push_back({std::string(axis.define), value});
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<ShaderVariant> shaderVariants() {
+  std::vector<ShaderVariant> variants;
+  for (const Family& family : families()) {
+    for (ShaderDefines& defines : combinations(family.axes)) {
+      variants.push_back({family.shader, std::move(defines)});
+    }
+  }
+  return variants;
+}
+
+std::string variantName(const ShaderVariant& variant) {
+  std::string name(variant.shader);
+  for (const ShaderDefine& define : variant.defines) {
+    name += " " + define.name + "=" + std::to_string(define.value);
+  }
+  return name;
+}
+
+bool isShaderStage(std::string_view name) {
+  constexpr std::string_view kSuffixes[] = {".comp", ".vert", ".frag"};
+  return std::any_of(std::begin(kSuffixes), std::end(kSuffixes), [&](std::string_view suffix) {
+    return name.size() > suffix.size() && name.substr(name.size() - suffix.size()) == suffix;
+  });
+}
+
+std::vector<std::string> missingVariants(std::span<const EmbeddedShader> library) {
+  std::set<std::string> listed;
+  for (const Family& family : families()) listed.emplace(family.shader);
+  std::vector<std::string> missing;
+  for (const EmbeddedShader& shader : library) {
+    if (isShaderStage(shader.name) && listed.erase(std::string(shader.name)) == 0) {
+      missing.push_back(std::string(shader.name) + " has no variants");
+    }
+  }
+  for (const std::string& name : listed) missing.push_back(name + " is listed but not there");
+  return missing;
+}
+
+}  // namespace glide::test
