@@ -41,7 +41,7 @@ ShaderDefines alignDefines(const GpuAlignSpec& spec) {
       camera_model = 2;
       break;
   }
-  return {{"GROUP_SIZE", spec.group_size},
+  return {{"GROUP_SIZE", spec.tuning.group_size},
           {"PATCH_SIZE", spec.direct.patch_size},
           {"CAMERA_MODEL", camera_model}};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/gl_objects.h"
+#include "gpu/gpu_tuning.h"
 #include "gpu/shader_source.h"
 
 #include "geometry/camera_model.h"
@@ -16,8 +17,8 @@ namespace glide {
 struct GpuAlignSpec {
   Config::Direct direct;
   CameraModel camera;
-  int levels = 0;      ///< that the image size allows, at most direct.levels
-  int group_size = 0;  ///< invocations per workgroup: 32, 64 or 128
+  int levels = 0;  ///< that the image size allows, at most direct.levels
+  GpuTuning tuning;
 };
 
 /// std140 block AlignConstants of shaders/align_types.glsl.

@@ -21,7 +21,7 @@ Result<GpuReference> GpuReference::create(const GpuAlignSpec& spec) {
 }
 
 GpuReference::GpuReference(ComputeProgram kernel, const GpuAlignSpec& spec)
-    : kernel_(std::move(kernel)), group_size_(spec.group_size) {
+    : kernel_(std::move(kernel)), group_size_(spec.tuning.group_size) {
   const std::int64_t points = spec.direct.max_points;
   staging_.resize(static_cast<std::size_t>(points * kPointFloats));
   points_ = GlBuffer::allocate(static_cast<std::int64_t>(staging_.size() * sizeof(float)),

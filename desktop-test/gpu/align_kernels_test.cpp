@@ -31,7 +31,9 @@ class AlignKernelsTest : public GlTest, public ::testing::WithParamInterface<Var
     Config::Direct direct;
     std::tie(std::ignore, direct.patch_size) = GetParam();
     direct.max_points = pointCount() + 3;  // not a multiple of anything
-    return {direct, camera, kLevels, std::get<0>(GetParam())};
+    GpuTuning tuning;
+    std::tie(tuning.group_size, std::ignore) = GetParam();
+    return {direct, camera, kLevels, tuning};
   }
   AlignScene scene(DistortionModel model) const {
     return makeAlignScene(
@@ -61,8 +63,8 @@ KernelRig makeRig(const GpuAlignSpec& spec) {
   GlBuffer constants = makeBuffer(std::vector<GpuAlignConstants>{alignConstants(spec)});
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, constants.get());
   return {std::move(constants),
-          LumaUpload::create(width, height, spec.group_size).value(),
-          PyramidPass::create(spec.group_size).value(),
+          LumaUpload::create(width, height, spec.tuning.group_size).value(),
+          PyramidPass::create(spec.tuning.group_size).value(),
           GpuPyramid::allocate(width, height, spec.levels),
           GpuReference::create(spec).value(),
           AlignLoop::create(spec).value(),

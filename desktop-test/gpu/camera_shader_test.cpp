@@ -97,7 +97,9 @@ std::vector<float> projectOnGpu(const CameraModel& camera,
                                 const std::vector<Vec3d>& points,
                                 int level) {
   const ScopedGlState state;
-  const GpuAlignSpec spec{Config::Direct{}, camera, 1, kGroupSize};
+  GpuTuning tuning;
+  tuning.group_size = kGroupSize;
+  const GpuAlignSpec spec{Config::Direct{}, camera, 1, tuning};
   const GlBuffer constants = makeBuffer(std::vector<GpuAlignConstants>{alignConstants(spec)});
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, constants.get());
   std::vector<float> items;
