@@ -5,10 +5,16 @@
 #include "image/image.h"
 
 #include "glide/config.h"
+#include "glide/frame.h"
+#include "glide/result.h"
 
 #include <span>
+#include <variant>
 
 namespace glide {
+
+/// The image of a frame, borrowed: pixels on the CPU, or a texture of the current GL context.
+using FrameImage = std::variant<ImageViewU8, Texture>;
 
 /// The direct tracker's engine: holds the pyramid of the current frame and the cache of one
 /// reference. Two implementations: CpuAligner and GpuAligner; the CPU one is the oracle of the GPU
@@ -20,8 +26,10 @@ class Aligner {
   Aligner(const Aligner&) = delete;
   Aligner& operator=(const Aligner&) = delete;
 
-  /// Takes a new frame: upload and pyramid. The image has the camera's size.
-  virtual void loadFrame(const ImageViewU8& luma) = 0;
+  /// Takes a new frame: upload and pyramid. Pixels have the camera's size. An error when the image
+  /// cannot be taken: a texture by the CPU, or one that the GPU cannot read (gpu/texture_check.h).
+  /// The frame before stays loaded then.
+  virtual Status loadFrame(const FrameImage& image) = 0;
 
   /// Makes the frame loaded last the reference: its pyramid is promoted, not rebuilt, and the
   /// inverse-compositional cache is computed for `points_ref` (at most Config::Direct::max_points).

@@ -47,11 +47,14 @@ CpuAligner::CpuAligner(const Config::Direct& config, const CameraModel& camera)
   state_.weights.reserve(static_cast<std::size_t>(config.max_points));
 }
 
-void CpuAligner::loadFrame(const ImageViewU8& luma) {
-  assert(luma.width == cameras_.front().width() && luma.height == cameras_.front().height());
+Status CpuAligner::loadFrame(const FrameImage& image) {
+  const auto* luma = std::get_if<ImageViewU8>(&image);
+  if (luma == nullptr) return Error{ErrorCode::unsupported, "the CPU aligner reads no textures"};
+  assert(luma->width == cameras_.front().width() && luma->height == cameras_.front().height());
   Stopwatch watch;
-  buildPyramid(luma, config_.levels, &frame_);
+  buildPyramid(*luma, config_.levels, &frame_);
   times_.pyramid_ms = watch.lapMs();
+  return Unit{};
 }
 
 void CpuAligner::promoteReference(std::span<const AlignPoint> points_ref) {

@@ -25,7 +25,8 @@ class CpuAligner final : public Aligner {
   static Result<std::unique_ptr<CpuAligner>> create(const Config::Direct& config,
                                                     const CameraModel& camera);
 
-  void loadFrame(const ImageViewU8& luma) override;
+  /// unsupported for a texture.
+  Status loadFrame(const FrameImage& image) override;
 
   /// Points beyond Config::Direct::max_points are left out. The frame stays loaded: it can still be
   /// aligned, now to itself.

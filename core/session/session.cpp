@@ -31,7 +31,7 @@ Result<Session> Session::create(const Config& config) try {
 }
 
 Result<FrameResult> Session::update(const FrameInput& frame) try {
-  const Status valid = impl_->check(frame);
+  const Status valid = impl_->take(frame);
   if (!valid) return valid.error();
   return impl_->update(frame);
 } catch (const std::exception& exception) {

@@ -36,6 +36,7 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
       timeline_(std::make_shared<const PoseTimeline>()),
       indirect_(config, camera),
       initializer_(config, camera),
+      reader_(camera.width(), camera.height(), aligner.info.backend),
       last_map_(back_end_.snapshot()),
       last_t_ns_(kNever),
       used_answer_t_ns_(kNever) {
@@ -43,28 +44,18 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
     direct_.emplace(config.direct, std::move(aligner.aligner));
 }
 
-Status Session::Impl::check(const FrameInput& input) const {
-  const Luma& image = input.image;
-  if (image.pixels == nullptr) return invalid("FrameInput.image.pixels is null");
-  if (image.width != camera_.width() || image.height != camera_.height())
-    return invalid("FrameInput.image is " + std::to_string(image.width) + "x" +
-                   std::to_string(image.height) + ", but the camera of the config is " +
-                   std::to_string(camera_.width()) + "x" + std::to_string(camera_.height()));
-  if (image.stride < image.width)
-    return invalid("FrameInput.image.stride is smaller than the width");
+Status Session::Impl::take(const FrameInput& input) {
   if (input.t_ns <= last_t_ns_)
     return invalid("FrameInput.t_ns " + std::to_string(input.t_ns) +
                    " does not increase (the frame before had " + std::to_string(last_t_ns_) + ")");
-  return Unit{};
+  return is_paused_ ? reader_.check(input.image) : reader_.take(input.image);
 }
 
 FrameResult Session::Impl::update(const FrameInput& input) {
   Stopwatch watch;
   last_t_ns_ = input.t_ns;
   if (is_paused_) return pausedResult(input.t_ns);
-  const Luma& image = input.image;
-  const Frame frame{
-      input.t_ns, {image.pixels, image.width, image.height, image.stride}, back_end_.snapshot()};
+  const Frame frame{input.t_ns, back_end_.snapshot()};
   const std::optional<WorldCorrection> correction =
       correctionBetween(*last_map_, *frame.map, last_pose_);
   last_map_ = frame.map;
@@ -81,6 +72,7 @@ FrameResult Session::Impl::update(const FrameInput& input) {
     result = track(frame);
   }
   result.correction = correction;
+  result.stats.readback_ms = reader_.readback_ms();
   remember(frame, result);
   result.stats.update_ms = watch.lapMs() - result.stats.mapping_ms;
   return result;
@@ -103,7 +95,7 @@ FrameResult Session::Impl::track(const Frame& frame) {  // the schedule of the p
 }
 
 TrackedFrame Session::Impl::trackDirect(const Frame& frame, const SE3d& T_cam_world_guess) {
-  if (direct_) return direct_->track(frame, T_cam_world_guess);
+  if (direct_) return direct_->track(frame, reader_.image(), T_cam_world_guess);
   TrackedFrame tracked;
   tracked.T_cam_world = T_cam_world_guess;
   tracked.switch_reason = SwitchReason::disabled;
@@ -114,7 +106,7 @@ TrackedFrame Session::Impl::trackIndirect(const Frame& frame, const TrackedFrame
   IndirectGuess guess{direct.T_cam_world, GuessQuality::predicted, last_pose_.keyframe};
   if (direct.tracker == TrackerKind::direct) guess.quality = GuessQuality::aligned;
   if (lost_frames_ > 0) guess.quality = GuessQuality::lost;
-  TrackedFrame tracked = indirect_.track(frame, guess);
+  TrackedFrame tracked = indirect_.track(frame, reader_.luma(), guess);
   tracked.switch_reason = direct.switch_reason;
   tracked.stats.pyramid_ms = direct.stats.pyramid_ms;
   tracked.stats.align_ms = direct.stats.align_ms;

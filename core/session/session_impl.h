@@ -2,6 +2,7 @@
 
 #include "session/aligner_factory.h"
 #include "session/back_end.h"
+#include "session/frame_reader.h"
 #include "session/pose_timeline.h"
 #include "track/direct_tracker.h"
 #include "track/indirect_tracker.h"
@@ -28,8 +29,9 @@ class Session::Impl {
  public:
   Impl(const Config& config, const CameraModel& camera, ChosenAligner aligner);
 
-  /// invalid_argument naming what is wrong with the input.
-  Status check(const FrameInput& input) const;
+  /// Takes the input for the next update; an error that names what is wrong with it changes
+  /// nothing.
+  Status take(const FrameInput& input);
   FrameResult update(const FrameInput& input);
 
   void reset();
@@ -91,6 +93,7 @@ class Session::Impl {
   std::optional<DirectTracker> direct_;  ///< none in TrackerMode::indirect
   IndirectTracker indirect_;
   Initializer initializer_;
+  FrameReader reader_;
   MotionModel motion_;
   std::optional<LastKeyframe> last_keyframe_;  ///< none before there is a map
   KeyframeId map_start_;                       ///< first keyframe of that map

@@ -7,8 +7,9 @@ namespace glide {
 
 FrameResult Session::Impl::initialize(const Frame& frame) {
   TrackedFrame tracked;
+  const ImageViewU8 luma = reader_.luma();
   Stopwatch watch;
-  tracked.features = indirect_.extract(frame.luma, config_.features.initialization_count);
+  tracked.features = indirect_.extract(luma, config_.features.initialization_count);
   tracked.stats.features_ms = watch.lapMs();
   std::optional<InitialMap> start = initializer_.update(frame.t_ns, tracked.features);
   tracked.stats.pose_ms = watch.lapMs();

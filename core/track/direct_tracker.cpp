@@ -38,10 +38,13 @@ double medianDepth(const std::vector<AlignPoint>& points) {
 DirectTracker::DirectTracker(const Config::Direct& config, std::unique_ptr<Aligner> aligner)
     : config_(config), aligner_(std::move(aligner)) {}
 
-TrackedFrame DirectTracker::track(const Frame& frame, const SE3d& T_cam_world_guess) {
-  aligner_->loadFrame(frame.luma);
+TrackedFrame DirectTracker::track(const Frame& frame,
+                                  const FrameImage& image,
+                                  const SE3d& T_cam_world_guess) {
   TrackedFrame tracked;
   tracked.T_cam_world = T_cam_world_guess;
+  is_frame_loaded_ = aligner_->loadFrame(image).ok();
+  if (!is_frame_loaded_) return tracked;
   if (!reference_) {
     tracked.stats.pyramid_ms = aligner_->times().pyramid_ms;
     return tracked;
@@ -84,7 +87,8 @@ TrackedFrame DirectTracker::makeTracked(const AlignResult& align, const MapSnaps
 double DirectTracker::refreshReference(const Frame& frame, const TrackedFrame& tracked) {
   collectPoints(frame, tracked, config_.max_points, &points_);
   reference_.reset();
-  if (static_cast<int>(points_.size()) < config_.min_points) return 0.0;
+  const bool is_enough = static_cast<int>(points_.size()) >= config_.min_points;
+  if (!is_frame_loaded_ || !is_enough) return 0.0;
   aligner_->promoteReference(points_);
   reference_ = Reference{tracked.pose, medianDepth(points_), 0, 0.0};
   return aligner_->times().precompute_ms;

@@ -20,7 +20,7 @@ class DirectTracker {
 
   /// Aligns the frame to the reference. ok is the switch policy's verdict; the pose of a refused
   /// frame is kept as a guess for the indirect tracker, unless its patch error speaks against it.
-  TrackedFrame track(const Frame& frame, const SE3d& T_cam_world_guess);
+  TrackedFrame track(const Frame& frame, const FrameImage& image, const SE3d& T_cam_world_guess);
 
   /// Makes the frame tracked last the reference, with the landmarks that the indirect tracker
   /// matched in it. Too few of them drop the reference. Returns the milliseconds of the precompute.
@@ -41,6 +41,7 @@ class DirectTracker {
   Config::Direct config_;
   std::unique_ptr<Aligner> aligner_;
   std::optional<Reference> reference_;
+  bool is_frame_loaded_ = false;    ///< the aligner took the frame that was tracked last
   std::vector<AlignPoint> points_;  ///< scratch
 };
 

@@ -46,9 +46,11 @@ std::shared_ptr<const FeatureSet> IndirectTracker::extract(const ImageViewU8& lu
   return std::make_shared<const FeatureSet>(extractor_.extract(luma, count));
 }
 
-TrackedFrame IndirectTracker::track(const Frame& frame, const IndirectGuess& guess) {
+TrackedFrame IndirectTracker::track(const Frame& frame,
+                                    const ImageViewU8& luma,
+                                    const IndirectGuess& guess) {
   Stopwatch watch;
-  const auto features = extract(frame.luma, config_.features.count);
+  const auto features = extract(luma, config_.features.count);
   const double features_ms = watch.lapMs();
   TrackedFrame tracked = track(frame, features, guess);
   tracked.stats.features_ms = features_ms;

@@ -6,6 +6,8 @@
 #include "map/local_map.h"
 #include "optimize/landmark_search.h"
 
+#include "image/image.h"
+
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,8 +34,8 @@ class IndirectTracker {
  public:
   IndirectTracker(const Config& config, const CameraModel& camera);
 
-  /// Extracts the features and tracks them.
-  TrackedFrame track(const Frame& frame, const IndirectGuess& guess);
+  /// Extracts the features of the frame's pixels and tracks them.
+  TrackedFrame track(const Frame& frame, const ImageViewU8& luma, const IndirectGuess& guess);
 
   /// Tracks features that are there already. ok when enough landmarks agree with the pose; then
   /// landmarks and sightings are filled.

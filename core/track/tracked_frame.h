@@ -5,8 +5,6 @@
 #include "feature/feature_set.h"
 #include "map/messages.h"
 
-#include "image/image.h"
-
 #include "glide/frame.h"
 
 #include <cstdint>
@@ -15,10 +13,9 @@
 
 namespace glide {
 
-/// A frame on its way through the trackers. The image is borrowed for the call.
+/// A frame on its way through the trackers.
 struct Frame {
   std::int64_t t_ns = 0;
-  ImageViewU8 luma;
   std::shared_ptr<const MapSnapshot> map;
 };
 

@@ -2,9 +2,13 @@
 
 #include "glide/types.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <variant>
+
+struct AHardwareBuffer;  // of the Android NDK, <android/hardware_buffer.h>
 
 namespace glide {
 
@@ -16,10 +20,56 @@ struct Luma {
   std::ptrdiff_t stride = 0;  ///< bytes from one row to the next, at least width
 };
 
+/// Where in a texture the image lies: an affine 4x4 matrix, column-major, that maps (s, t, 0, 1) to
+/// texture coordinates. s runs from 0 to 1 to the right and t from 0 to 1 upwards, from the lower
+/// left corner of the image. What SurfaceTexture.getTransformMatrix gives.
+using TextureTransform = std::array<float, 16>;
+
+/// The first row of the texture's memory is the uppermost of the image, as in camera buffers and
+/// after glTexSubImage2D of an image: (s, t) -> (s, 1 - t).
+inline constexpr TextureTransform kUpperRowFirst{1.0F,
+                                                 0.0F,
+                                                 0.0F,
+                                                 0.0F,
+                                                 0.0F,
+                                                 -1.0F,
+                                                 0.0F,
+                                                 0.0F,
+                                                 0.0F,
+                                                 0.0F,
+                                                 1.0F,
+                                                 0.0F,
+                                                 0.0F,
+                                                 1.0F,
+                                                 0.0F,
+                                                 1.0F};
+/// The first row is the lowest: what was rendered into the texture with OpenGL.
+inline constexpr TextureTransform kLowerRowFirst{
+    1.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F};
+
+/// A texture of the OpenGL ES 3.1 context that is current in Session::update, read only during the
+/// call; when it returns, the GPU has read it. The frame has the size of the camera, whatever that
+/// of the texture is. docs/inputs.md: formats, colours, orientation, cost.
+struct Texture {
+  std::uint32_t name = 0;    ///< of glGenTextures
+  std::uint32_t target = 0;  ///< GL_TEXTURE_2D or GL_TEXTURE_EXTERNAL_OES
+  int width = 0;             ///< texels of a row of its memory
+  int height = 0;            ///< rows of its memory
+  TextureTransform transform = kUpperRowFirst;
+};
+
+/// A buffer of Android's camera or media codecs (AImage_getHardwareBuffer) whose acquire fence has
+/// signalled; the same rules as for a Texture. Usable as a GPU texture
+/// (AHARDWAREBUFFER_USAGE_GPU_SAMPLED_IMAGE). Android only, elsewhere unsupported.
+struct HardwareBuffer {
+  AHardwareBuffer* buffer = nullptr;
+  TextureTransform transform = kUpperRowFirst;
+};
+
 /// One camera frame.
 struct FrameInput {
   std::int64_t t_ns = 0;  ///< nanoseconds in the camera's clock, strictly increasing
-  Luma image;
+  std::variant<Luma, Texture, HardwareBuffer> image;
 };
 
 /// How far the start of a map has come.
@@ -36,8 +86,9 @@ struct FrameStats {
   double mapping_ms = 0.0;  ///< mapping done inside update() (Execution::inline_ only)
   double pyramid_ms = 0.0, precompute_ms = 0.0, align_ms = 0.0;  ///< direct tracker
   double features_ms = 0.0, match_ms = 0.0, pose_ms = 0.0;       ///< indirect tracker
-  int visible = 0;   ///< landmarks of the tracker that lie in the image
-  int inliers = 0;   ///< of these, the ones that agree with the pose
+  double readback_ms = 0.0;  ///< bringing a texture's pixels to the CPU; zero when none were needed
+  int visible = 0;           ///< landmarks of the tracker that lie in the image
+  int inliers = 0;           ///< of these, the ones that agree with the pose
   double rms = 0.0;  ///< direct: robust patch error, grey levels; indirect: reprojection error, px
   bool keyframe = false;  ///< this frame was handed to the mapper
 };

@@ -17,7 +17,7 @@ int main() {
     return 1;
   }
   const std::vector<std::uint8_t> gray(640 * 480, 128);
-  const auto result = session->update({1, {gray.data(), 640, 480, 640}});
+  const auto result = session->update({1, glide::Luma{gray.data(), 640, 480, 640}});
   const bool is_waiting = result && result.value().state == glide::TrackingState::initializing;
   std::printf("glide %d.%d: a blank image %s\n",
               GLIDE_VERSION_MAJOR,

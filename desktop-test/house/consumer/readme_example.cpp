@@ -11,7 +11,7 @@ int main() {
   if (!session) return std::printf("%s\n", session.error().message.c_str()), 1;
   std::vector<std::uint8_t> gray(640 * 480);  // your camera's image, frame by frame
   for (std::int64_t t_ns = 1; t_ns < 1'000'000'000; t_ns += 33'333'333) {
-    auto frame = session->update({t_ns, {gray.data(), 640, 480, 640}});
+    auto frame = session->update({t_ns, glide::Luma{gray.data(), 640, 480, 640}});
     if (!frame || frame->state != glide::TrackingState::tracking) continue;
     const auto& t_world_cam = frame->T_world_cam.t_xyz;
     std::printf("%f %f %f\n", t_world_cam[0], t_world_cam[1], t_world_cam[2]);
