@@ -16,8 +16,9 @@ LAYERS = [
     {"feature", "gpu"},
     {"map"},
     {"optimize"},
-    {"track", "mapping", "loop", "render"},
+    {"track", "mapping", "loop", "ar", "render"},
     {"session"},
+    {"capi"},
 ]
 RANK = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}
 
