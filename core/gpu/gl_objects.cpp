@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cstring>
+#include <string>
 
 namespace glide {
 
@@ -9,15 +10,24 @@ void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
 void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
 void deleteProgram(GLuint name) { glDeleteProgram(name); }
 void deleteShader(GLuint name) { glDeleteShader(name); }
+void deleteSampler(GLuint name) { glDeleteSamplers(1, &name); }
+void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
+
+Error outOfMemory(std::string_view what) {
+  return {ErrorCode::gl, "no GL memory for " + std::string(what)};
+}
 
 GlBuffer GlBuffer::allocate(std::int64_t bytes, GLenum usage) {
   GLuint name = 0;
   glGenBuffers(1, &name);
   GlBuffer buffer;
   buffer.name_ = GlName<deleteBuffer>(name);
-  buffer.bytes_ = bytes;
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, name);
   glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, usage);
+  GLint64 size = 0;
+  glGetBufferParameteri64v(GL_SHADER_STORAGE_BUFFER, GL_BUFFER_SIZE, &size);
+  buffer.bytes_ = size == bytes ? bytes : 0;
   return buffer;
 }
 
@@ -42,8 +52,6 @@ GlTexture GlTexture::allocate(GLenum format, int width, int height) {
   glGenTextures(1, &name);
   GlTexture texture;
   texture.name_ = GlName<deleteTexture>(name);
-  texture.width_ = width;
-  texture.height_ = height;
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, name);
   glTexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
@@ -51,6 +59,10 @@ GlTexture GlTexture::allocate(GLenum format, int width, int height) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  GLint stored_width = 0;
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &stored_width);
+  texture.width_ = stored_width == width ? width : 0;
+  texture.height_ = height;
   return texture;
 }
 

@@ -2,7 +2,10 @@
 
 #include "gpu/gl.h"
 
+#include "glide/result.h"
+
 #include <cstdint>
+#include <string_view>
 #include <utility>
 
 namespace glide {
@@ -35,16 +38,30 @@ void deleteBuffer(GLuint name);
 void deleteTexture(GLuint name);
 void deleteProgram(GLuint name);
 void deleteShader(GLuint name);
+void deleteSampler(GLuint name);
+void deleteFramebuffer(GLuint name);
+void deleteVertexArray(GLuint name);
 
 using GlProgram = GlName<deleteProgram>;
 using GlShader = GlName<deleteShader>;
+using GlSampler = GlName<deleteSampler>;
+
+/// That the driver has no room for `what`.
+Error outOfMemory(std::string_view what);
+
+/// Forgets the names of several objects (or of several stages that hold such).
+template <class... Objects>
+void abandonAll(Objects&... objects) {
+  (objects.abandon(), ...);
+}
 
 /// A buffer of fixed size. Its functions leave it bound to GL_SHADER_STORAGE_BUFFER (the generic
 /// binding).
 class GlBuffer {
  public:
-  /// Contents are unspecified. `usage` as in glBufferData.
+  /// Contents are unspecified. `usage` as in glBufferData. Without memory for it, not complete.
   static GlBuffer allocate(std::int64_t bytes, GLenum usage);
+  bool isComplete() const { return bytes_ > 0; }
 
   /// Replaces the first `bytes` bytes.
   void write(const void* data, std::int64_t bytes) const;
@@ -64,7 +81,9 @@ class GlBuffer {
 /// A 2-D texture of one level, nearest filtering, clamped. Made through texture unit 0.
 class GlTexture {
  public:
+  /// Contents are unspecified. Without memory for it, not complete.
   static GlTexture allocate(GLenum format, int width, int height);
+  bool isComplete() const { return width_ > 0; }
 
   GLuint get() const { return name_.get(); }
   int width() const { return width_; }
@@ -92,6 +111,9 @@ class GlSync {
   /// Flushes, and waits until the GPU is there; false after `timeout_ns` or when the context is
   /// lost.
   bool wait(std::uint64_t timeout_ns) const;
+  /// Lets what is submitted from here on to the current context wait, on the GPU; the context that
+  /// inserted the fence has been flushed since.
+  void orderAfter() const { glWaitSync(sync_, 0, GL_TIMEOUT_IGNORED); }
   void abandon() { sync_ = nullptr; }
 
  private:

@@ -3,7 +3,24 @@
 namespace glide {
 namespace {
 
+using TextureUnit = GlComputeState::TextureUnit;
+using ImageUnit = GlComputeState::ImageUnit;
+using IndexedBuffer = GlComputeState::IndexedBuffer;
+using PixelUnpack = GlComputeState::PixelUnpack;
+
 GLuint nameOf(GLint value) { return static_cast<GLuint>(value); }
+
+GLint integer(GLenum query) {
+  GLint value = 0;
+  glGetIntegerv(query, &value);
+  return value;
+}
+
+GLint integer(GLenum query, GLuint index) {
+  GLint value = 0;
+  glGetIntegeri_v(query, index, &value);
+  return value;
+}
 
 /// The three queries of one indexed buffer target.
 struct IndexedTarget {
@@ -16,105 +33,151 @@ constexpr IndexedTarget kStorage{GL_SHADER_STORAGE_BUFFER,
 constexpr IndexedTarget kUniform{
     GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE};
 
-template <class Buffer>
-Buffer saveIndexed(const IndexedTarget& target, GLuint index) {
-  Buffer saved;
-  glGetIntegeri_v(target.binding, index, &saved.name);
-  glGetInteger64i_v(target.start, index, &saved.start);
-  glGetInteger64i_v(target.size, index, &saved.size);
-  return saved;
+template <class Buffers>
+void saveIndexed(const IndexedTarget& target, Buffers* buffers) {
+  GLuint index = 0;
+  for (IndexedBuffer& buffer : *buffers) {
+    buffer.name = integer(target.binding, index);
+    if (buffer.name != 0) {
+      glGetInteger64i_v(target.start, index, &buffer.start);
+      glGetInteger64i_v(target.size, index, &buffer.size);
+    }
+    ++index;
+  }
 }
 
-template <class Buffer>
-void restoreIndexed(const IndexedTarget& target, GLuint index, const Buffer& saved) {
-  if (saved.name == 0 || saved.size == 0) {  // size 0: the whole buffer, by glBindBufferBase
-    glBindBufferBase(target.target, index, nameOf(saved.name));
-    return;
+template <class Buffers>
+void applyIndexed(const IndexedTarget& target, const Buffers& buffers) {
+  GLuint index = 0;
+  for (const IndexedBuffer& buffer : buffers) {
+    if (buffer.size == 0) {  // none, or the whole buffer by glBindBufferBase
+      glBindBufferBase(target.target, index, nameOf(buffer.name));
+    } else {
+      glBindBufferRange(target.target,
+                        index,
+                        nameOf(buffer.name),
+                        static_cast<GLintptr>(buffer.start),
+                        static_cast<GLsizeiptr>(buffer.size));
+    }
+    ++index;
   }
-  glBindBufferRange(target.target,
-                    index,
-                    nameOf(saved.name),
-                    static_cast<GLintptr>(saved.start),
-                    static_cast<GLsizeiptr>(saved.size));
+}
+
+ImageUnit currentImage(GLuint unit) {
+  return {integer(GL_IMAGE_BINDING_NAME, unit),
+          integer(GL_IMAGE_BINDING_LEVEL, unit),
+          integer(GL_IMAGE_BINDING_LAYERED, unit),
+          integer(GL_IMAGE_BINDING_LAYER, unit),
+          integer(GL_IMAGE_BINDING_ACCESS, unit),
+          integer(GL_IMAGE_BINDING_FORMAT, unit)};
+}
+
+void applyImage(GLuint unit, const ImageUnit& image) {
+  // Another context may have deleted the texture since the app bound it.
+  const bool exists = image.name != 0 && glIsTexture(nameOf(image.name)) == GL_TRUE;
+  glBindImageTexture(unit,
+                     exists ? nameOf(image.name) : 0,
+                     image.level,
+                     image.layered != 0 ? GL_TRUE : GL_FALSE,
+                     image.layer,
+                     nameOf(image.access),
+                     nameOf(image.format));
+}
+
+void saveTextures(GlComputeState* state) {
+  state->active_texture = integer(GL_ACTIVE_TEXTURE);
+  GLuint unit = 0;
+  for (TextureUnit& texture : state->textures) {
+    glActiveTexture(GL_TEXTURE0 + unit++);
+    texture = {integer(GL_TEXTURE_BINDING_2D), integer(GL_SAMPLER_BINDING)};
+  }
+  glActiveTexture(nameOf(state->active_texture));
+  unit = 0;
+  for (ImageUnit& image : state->images) image = currentImage(unit++);
+}
+
+void applyTextures(const GlComputeState& state) {
+  GLuint unit = 0;
+  for (const TextureUnit& texture : state.textures) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, nameOf(texture.texture_2d));
+    const bool exists = texture.sampler != 0 && glIsSampler(nameOf(texture.sampler)) == GL_TRUE;
+    glBindSampler(unit, exists ? nameOf(texture.sampler) : 0);
+    ++unit;
+  }
+  glActiveTexture(nameOf(state.active_texture));
+  unit = 0;
+  for (const ImageUnit& image : state.images) applyImage(unit++, image);
+}
+
+PixelUnpack currentUnpack() {
+  return {integer(GL_PIXEL_UNPACK_BUFFER_BINDING),
+          integer(GL_UNPACK_ALIGNMENT),
+          integer(GL_UNPACK_ROW_LENGTH),
+          integer(GL_UNPACK_SKIP_ROWS),
+          integer(GL_UNPACK_SKIP_PIXELS)};
+}
+
+void applyUnpack(const PixelUnpack& unpack) {
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, nameOf(unpack.buffer));
+  glPixelStorei(GL_UNPACK_ALIGNMENT, unpack.alignment);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, unpack.row_length);
+  glPixelStorei(GL_UNPACK_SKIP_ROWS, unpack.skip_rows);
+  glPixelStorei(GL_UNPACK_SKIP_PIXELS, unpack.skip_pixels);
+}
+
+bool isFeedbackRunning() {
+  return integer(GL_TRANSFORM_FEEDBACK_ACTIVE) == GL_TRUE &&
+         integer(GL_TRANSFORM_FEEDBACK_PAUSED) == GL_FALSE;
 }
 
 }  // namespace
 
-ScopedGlState::ScopedGlState() {
-  glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
-  saveTextures();
-  saveBuffers();
+GlComputeState GlComputeState::current() {
+  GlComputeState state;
+  state.program = integer(GL_CURRENT_PROGRAM);
+  saveTextures(&state);
+  state.unpack = currentUnpack();
+  state.storage_buffer = integer(GL_SHADER_STORAGE_BUFFER_BINDING);
+  state.uniform_buffer = integer(GL_UNIFORM_BUFFER_BINDING);
+  state.dispatch_indirect_buffer = integer(GL_DISPATCH_INDIRECT_BUFFER_BINDING);
+  saveIndexed(kStorage, &state.storage);
+  saveIndexed(kUniform, &state.uniform);
+  state.is_feedback_running = isFeedbackRunning();
+  return state;
 }
 
-ScopedGlState::~ScopedGlState() {
-  restoreBuffers();
-  restoreTextures();
-  glUseProgram(nameOf(program_));
+void GlComputeState::apply() const {
+  applyTextures(*this);
+  applyUnpack(unpack);
+  applyIndexed(kStorage, storage);
+  applyIndexed(kUniform, uniform);
+  // After the indexed calls, which change these, too.
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, nameOf(storage_buffer));
+  glBindBuffer(GL_UNIFORM_BUFFER, nameOf(uniform_buffer));
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, nameOf(dispatch_indirect_buffer));
+  // A program that the app had deleted while it was current went when ours took its place.
+  const bool exists = program != 0 && glIsProgram(nameOf(program)) == GL_TRUE;
+  glUseProgram(exists ? nameOf(program) : 0);
+  if (is_feedback_running) glResumeTransformFeedback();  // wants its program to be current
 }
 
-void ScopedGlState::saveTextures() {
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &active_texture_);
+void GlComputeState::neutralize() {
+  if (isFeedbackRunning()) glPauseTransformFeedback();
+  for (GLuint unit = 0; unit < kTextureUnits; ++unit) glBindSampler(unit, 0);
+  applyUnpack({0, 1, 0, 0, 0});
+}
+
+ScopedTextureBinding::ScopedTextureBinding(GlStatePolicy policy, GLenum target, GLenum binding)
+    : policy_(policy), target_(target) {
   glActiveTexture(GL_TEXTURE0);
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &texture_);
-  glGetIntegerv(GL_SAMPLER_BINDING, &sampler_);
-  glGetIntegeri_v(GL_IMAGE_BINDING_NAME, 0, &image_.name);
-  glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, 0, &image_.level);
-  glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, 0, &image_.layered);
-  glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, 0, &image_.layer);
-  glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, 0, &image_.access);
-  glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, 0, &image_.format);
-  // A sampler that filters linearly would make our r32f textures incomplete.
-  glBindSampler(0, 0);
+  if (policy == GlStatePolicy::preserve) texture_ = integer(binding);
 }
 
-void ScopedGlState::saveBuffers() {
-  glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_.buffer);
-  glGetIntegerv(GL_UNPACK_ALIGNMENT, &unpack_.alignment);
-  glGetIntegerv(GL_UNPACK_ROW_LENGTH, &unpack_.row_length);
-  glGetIntegerv(GL_UNPACK_SKIP_ROWS, &unpack_.skip_rows);
-  glGetIntegerv(GL_UNPACK_SKIP_PIXELS, &unpack_.skip_pixels);
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
-  glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-  for (int i = 0; i < kStorageBindings; ++i) {
-    storage_bindings_[static_cast<std::size_t>(i)] =
-        saveIndexed<IndexedBuffer>(kStorage, static_cast<GLuint>(i));
-  }
-  uniform_binding_ = saveIndexed<IndexedBuffer>(kUniform, 0);
-  glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &storage_);
-  glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniform_);
-}
-
-void ScopedGlState::restoreTextures() const {
-  glBindImageTexture(0,
-                     nameOf(image_.name),
-                     image_.level,
-                     image_.layered != 0 ? GL_TRUE : GL_FALSE,
-                     image_.layer,
-                     nameOf(image_.access),
-                     nameOf(image_.format));
-  glBindSampler(0, nameOf(sampler_));
+ScopedTextureBinding::~ScopedTextureBinding() {
+  if (policy_ == GlStatePolicy::none) return;
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, nameOf(texture_));
-  glActiveTexture(nameOf(active_texture_));
-}
-
-void ScopedGlState::restoreBuffers() const {
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, nameOf(unpack_.buffer));
-  glPixelStorei(GL_UNPACK_ALIGNMENT, unpack_.alignment);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, unpack_.row_length);
-  glPixelStorei(GL_UNPACK_SKIP_ROWS, unpack_.skip_rows);
-  glPixelStorei(GL_UNPACK_SKIP_PIXELS, unpack_.skip_pixels);
-  for (int i = 0; i < kStorageBindings; ++i) {
-    restoreIndexed(
-        kStorage, static_cast<GLuint>(i), storage_bindings_[static_cast<std::size_t>(i)]);
-  }
-  restoreIndexed(kUniform, 0, uniform_binding_);
-  // The indexed calls above have changed the generic bindings.
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, nameOf(storage_));
-  glBindBuffer(GL_UNIFORM_BUFFER, nameOf(uniform_));
+  glBindTexture(target_, nameOf(texture_));
 }
 
 }  // namespace glide

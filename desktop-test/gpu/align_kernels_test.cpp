@@ -49,8 +49,10 @@ struct KernelRig {
   GpuPyramid pyramid;
   GpuReference reference;
   AlignLoop loop;
+  AlignStateBuffer state;
   GpuCommands commands;
 
+  TrackInput input() const { return {pyramid, state}; }
   void load(const ImageU8& image) {
     upload.run(image.view(), pyramid.levels.front(), commands);
     pass.run(pyramid, commands);
@@ -68,6 +70,7 @@ KernelRig makeRig(const GpuAlignSpec& spec) {
           GpuPyramid::allocate(width, height, spec.levels),
           GpuReference::create(spec).value(),
           AlignLoop::create(spec).value(),
+          AlignStateBuffer::allocate(),
           GpuCommands()};
 }
 
@@ -145,7 +148,7 @@ int expectSameLevel(const CacheContents& cache,
 TEST_P(AlignKernelsTest, PrecomputeMatchesTwinOnEveryLevel) {
   const AlignScene scene = this->scene(DistortionModel::radial_tangential);
   const GpuAlignSpec spec = this->spec(scene.camera);
-  const ScopedGlState state;
+  const ScopedGlState state(GlStatePolicy::preserve);
   KernelRig rig = makeRig(spec);
   rig.load(scene.reference);
   rig.reference.precompute(rig.pyramid, scene.points_ref, rig.commands);
@@ -171,15 +174,15 @@ void expectSameSums(const GpuPointSums& gpu, const TwinPoint& p, const TwinSums&
 TEST_P(AlignKernelsTest, ResidualSumsMatchTwinOnEveryLevel) {
   const AlignScene scene = this->scene(DistortionModel::kannala_brandt4);
   const GpuAlignSpec spec = this->spec(scene.camera);
-  const ScopedGlState state;
+  const ScopedGlState state(GlStatePolicy::preserve);
   KernelRig rig = makeRig(spec);
   rig.load(scene.reference);
   rig.reference.precompute(rig.pyramid, scene.points_ref, rig.commands);
   rig.load(scene.frame);
   const Pyramid frame = scene.framePyramid(kLevels);
   for (int level = 0; level < kLevels; ++level) {
-    rig.loop.start(scene.T_cam_ref);
-    rig.loop.residual(rig.pyramid, rig.reference, level, rig.commands);
+    rig.state.start(scene.T_cam_ref);
+    rig.loop.residual(rig.input(), rig.reference, level, rig.commands);
     const auto sums = readBuffer<GpuPointSums>(rig.loop.sums());
     const std::vector<TwinPoint> points = describeAll(scene, spec, level);
     const ImageF& image = frame.levels[static_cast<std::size_t>(level)];
@@ -221,8 +224,8 @@ void solveBoth(KernelRig& rig,
   std::vector<GpuPointSums> packed;
   std::transform(sums.begin(), sums.end(), std::back_inserter(packed), packSums);
   overwrite(rig.loop.sums(), packed);
-  rig.loop.solve(rig.reference, 0, rig.commands);
-  const AlignResult gpu = toResult(readBuffer<GpuAlignState>(rig.loop.state()).front());
+  rig.loop.solve(rig.input(), rig.reference, 0, rig.commands);
+  const AlignResult gpu = toResult(readBuffer<GpuAlignState>(rig.state.buffer()).front());
   ASSERT_TRUE(solveTwin(points, sums, direct, twin));
   expectSameSolution(gpu, *twin);
   const auto weights = readBuffer<GpuPointWeight>(rig.loop.weights());
@@ -234,7 +237,7 @@ void solveBoth(KernelRig& rig,
 
 /// Three iterations on level 0, from records and sums of the twin.
 void expectSameIterations(const AlignScene& scene, const GpuAlignSpec& spec) {
-  const ScopedGlState state;
+  const ScopedGlState state(GlStatePolicy::preserve);
   KernelRig rig = makeRig(spec);
   rig.load(scene.reference);
   rig.reference.precompute(
@@ -247,7 +250,7 @@ void expectSameIterations(const AlignScene& scene, const GpuAlignSpec& spec) {
   const Pyramid frame = scene.framePyramid(1);
   TwinState twin;
   twin.weights.assign(points.size(), 1.0);
-  rig.loop.start(twin.T_cam_ref);
+  rig.state.start(twin.T_cam_ref);
   for (int iteration = 1; iteration <= 3; ++iteration) {
     SCOPED_TRACE(iteration);
     std::vector<TwinSums> sums;

@@ -96,7 +96,7 @@ void expectSameProjection(const CameraModel& level_camera,
 std::vector<float> projectOnGpu(const CameraModel& camera,
                                 const std::vector<Vec3d>& points,
                                 int level) {
-  const ScopedGlState state;
+  const ScopedGlState state(GlStatePolicy::preserve);
   GpuTuning tuning;
   tuning.group_size = kGroupSize;
   const GpuAlignSpec spec{Config::Direct{}, camera, 1, tuning};
@@ -173,7 +173,7 @@ TEST_F(RigidShaderTest, ExponentialAndRotationMatchLie) {
       items.insert(items.end(), {single.x(), single.y(), single.z(), 0.0F});
     }
   }
-  const ScopedGlState state;
+  const ScopedGlState state(GlStatePolicy::preserve);
   const ComputeProgram program = buildTestShader("test_rigid.comp", {{"GROUP_SIZE", kGroupSize}});
   const std::vector<float> results = runItems(program, items, static_cast<int>(twists.size()), 12);
   for (std::size_t i = 0; i < twists.size(); ++i) {

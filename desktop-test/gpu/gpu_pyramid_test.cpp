@@ -20,7 +20,7 @@ class GpuPyramidTest : public GlTest {
  protected:
   /// Uploads `luma` and builds the levels.
   GpuPyramid build(const ImageViewU8& luma, int group_size) const {
-    const ScopedGlState state;
+    const ScopedGlState state(GlStatePolicy::preserve);
     const int levels = pyramidLevels(luma.width, luma.height, kLevels);
     GpuPyramid pyramid = GpuPyramid::allocate(luma.width, luma.height, levels);
     const Result<LumaUpload> upload = LumaUpload::create(luma.width, luma.height, group_size);
