@@ -1,4 +1,4 @@
-// The 6x6 solve of align_solve.comp. Reads total[0..20] = lower triangle of H row by row and
+// The 6x6 solve of align_step.glsl. Reads total[0..20] = lower triangle of H row by row and
 // total[21..26] = b; needs kDamping, kMinPivot, kHuge.
 
 int triangle(int row, int column) { return row * (row + 1) / 2 + column; }

@@ -23,14 +23,11 @@ const int kEquationSums = 31;  // H 21, b 6, w rho, w, inliers, contrast; at mos
 const int kRowStride = GROUP_SIZE + 1;  // odd: the readers of a column touch different banks
 const float kMinGain = 0.2;
 const float kMaxGain = 5.0;
-const float kDamping = 1e-6;
-const float kMinPivot = 1e-9;
-const float kHuge = 1e30;  // a step beyond is not finite for our purposes
 
 shared float partial[kEquationSums * kRowStride];
 shared float total[kEquationSums];
 
-#include "align_cholesky.glsl"
+#include "align_step.glsl"
 
 // partial[k][all invocations] -> total[k] for k < count.
 void reduce(int count) {
@@ -168,23 +165,6 @@ void report(Exposure exposure) {
   for (int k = 0; k < 21; ++k) state.hessian[k] = total[k];
 }
 
-// Steps 6 and 7, by one invocation.
-void solveAndUpdate() {
-  float delta[6];
-  if (!solveDamped(delta)) {
-    state.counts.w = 1;
-    return;
-  }
-  vec3 v = vec3(delta[0], delta[1], delta[2]);
-  vec3 w = vec3(delta[3], delta[4], delta[5]);
-  vec4 q_step;
-  vec3 t_step;
-  expTwist(-v, -w, q_step, t_step);
-  state.t_cam_ref.xyz += rotate(state.q_cam_ref, t_step);
-  state.q_cam_ref = normalize(multiplyQuaternions(state.q_cam_ref, q_step));
-  if (sqrt(dot(v, v) + dot(w, w)) < constants.robust.z) state.flow.x = level;
-}
-
 void main() {
   bool ended = state.counts.w != 0 || state.flow.x == level;
   if (ended) return;
@@ -200,5 +180,5 @@ void main() {
   formEquations(exposure, threshold);
   if (!first) return;
   report(exposure);
-  solveAndUpdate();
+  if (takeStep() < constants.robust.z) state.flow.x = level;  // steps 6 and 7
 }

@@ -5,9 +5,10 @@
 
 namespace glide {
 
-std::int64_t pixelCacheBytes(const GpuAlignSpec& spec) {
+std::int64_t cacheBytes(const GpuAlignSpec& spec) {
   const std::int64_t patch = spec.direct.patch_size;
-  return patch * patch * kPixelFloats * spec.levels * spec.direct.max_points *
+  const int pixel_floats = spec.tuning.plan == GpuPlan::paper ? kPaperPixelFloats : kPixelFloats;
+  return patch * patch * pixel_floats * spec.levels * spec.direct.max_points *
          static_cast<std::int64_t>(sizeof(float));
 }
 

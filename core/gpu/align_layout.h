@@ -70,11 +70,14 @@ static_assert(sizeof(GpuAlignState) == 208);
 static_assert(offsetof(GpuAlignState, iterations) == 80);
 static_assert(offsetof(GpuAlignState, hessian) == 112);
 
-/// Floats per pixel of a patch in the cache: e, gx, gy.
+/// Floats per pixel of a patch in the cache of GpuPlan::fused: e, gx, gy.
 inline constexpr int kPixelFloats = 3;
+/// In that of GpuPlan::paper: I0 and the row of J.
+inline constexpr int kPaperPixelFloats = 7;
 
-/// Bytes of the buffer of e, gx, gy over all levels.
-std::int64_t pixelCacheBytes(const GpuAlignSpec& spec);
+/// Bytes of the buffer of the patches' pixels over all levels, in the spec's plan: the largest of
+/// all.
+std::int64_t cacheBytes(const GpuAlignSpec& spec);
 
 GpuAlignConstants alignConstants(const GpuAlignSpec& spec);
 

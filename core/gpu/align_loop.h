@@ -1,14 +1,18 @@
 #pragma once
 
 #include "gpu/align_layout.h"
+#include "gpu/align_state.h"
 #include "gpu/compute_program.h"
 #include "gpu/gpu_pyramid.h"
 #include "gpu/gpu_reference.h"
-#include "photometric/align_types.h"
-
-#include <optional>
 
 namespace glide {
+
+/// What a frame brings to the iterations.
+struct TrackInput {
+  const GpuPyramid& frame;
+  const AlignStateBuffer& state;
+};
 
 /// The iterations of one alignment, issued without waiting; pose, weights and the decision to stop
 /// stay on the GPU (shaders/align_residual.comp and align_solve.comp). The caller has bound the
@@ -17,21 +21,18 @@ class AlignLoop {
  public:
   static Result<AlignLoop> create(const GpuAlignSpec& spec);
 
-  /// Sends the guess; the weights start at one.
-  void start(const SE3d& T_cam_ref_guess) const;
   /// Issues every iteration of every level, coarse to fine.
-  void run(const GpuPyramid& frame, const GpuReference& reference, GpuCommands& commands) const;
-  /// Waits for the GPU and reads the state: the one wait and the one readback of a frame. Nothing
-  /// when the GPU does not answer in time.
-  std::optional<GpuAlignState> finish(GpuCommands& commands) const;
+  void run(const TrackInput& input, const GpuReference& reference, GpuCommands& commands) const;
 
   /// The two halves of an iteration, for tests of each kernel. Barriered for shader storage reads.
-  void residual(const GpuPyramid& frame,
+  void residual(const TrackInput& input,
                 const GpuReference& reference,
                 int level,
                 GpuCommands& commands) const;
-  void solve(const GpuReference& reference, int level, GpuCommands& commands) const;
-  const GlBuffer& state() const { return state_; }
+  void solve(const TrackInput& input,
+             const GpuReference& reference,
+             int level,
+             GpuCommands& commands) const;
   const GlBuffer& sums() const { return sums_; }
   const GlBuffer& weights() const { return weights_; }
 
@@ -40,13 +41,7 @@ class AlignLoop {
 
   ComputeProgram residual_, solve_;
   int group_size_, max_iterations_;
-  GlBuffer sums_, weights_, state_;
+  GlBuffer sums_, weights_;
 };
-
-/// The state that start() sends.
-GpuAlignState initialState(const SE3d& T_cam_ref_guess);
-
-/// What a finished state says, in double.
-AlignResult toResult(const GpuAlignState& state);
 
 }  // namespace glide

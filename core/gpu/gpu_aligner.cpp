@@ -10,7 +10,8 @@ namespace glide {
 namespace {
 
 std::optional<Error> checkLimits(const GlCaps& caps, const GpuAlignSpec& spec) {
-  if (spec.tuning.group_size != 32 && spec.tuning.group_size != 64 && spec.tuning.group_size != 128) {
+  const int group_size = spec.tuning.group_size;
+  if (group_size != 32 && group_size != 64 && group_size != 128) {
     return Error{ErrorCode::invalid_argument, "group_size must be 32, 64 or 128"};
   }
   const int longest = std::max(spec.camera.width(), spec.camera.height());
@@ -19,10 +20,10 @@ std::optional<Error> checkLimits(const GlCaps& caps, const GpuAlignSpec& spec) {
                  "images of " + std::to_string(longest) + " px exceed GL_MAX_TEXTURE_SIZE " +
                      std::to_string(caps.max_texture_size)};
   }
-  if (pixelCacheBytes(spec) > caps.max_storage_bytes) {
+  const std::int64_t cache_bytes = cacheBytes(spec);
+  if (cache_bytes > caps.max_storage_bytes) {
     return Error{ErrorCode::unsupported,
-                 "direct.max_points x patch_size^2 x levels needs " +
-                     std::to_string(pixelCacheBytes(spec)) +
+                 "direct.max_points x patch_size^2 x levels needs " + std::to_string(cache_bytes) +
                      " bytes, more than GL_MAX_SHADER_STORAGE_BLOCK_SIZE " +
                      std::to_string(caps.max_storage_bytes)};
   }
@@ -54,14 +55,10 @@ Result<std::unique_ptr<GpuAligner>> GpuAligner::createTimed(const GlCaps& caps,
   const int levels = pyramidLevels(camera.width(), camera.height(), direct.levels);
   const GpuAlignSpec spec{direct, camera, levels, tuning};
   if (std::optional<Error> error = checkLimits(caps, spec)) return *std::move(error);
-  const ScopedGlState state;
-  drainGlErrors();
+  const ScopedGlState state(GlStatePolicy::preserve);
   Result<Stages> stages = createStages(spec);
   if (!stages) return stages.error();
   GpuTimer timer = GpuTimer::create(caps, timing);
-  if (std::optional<Error> error = takeGlError("creating the GPU aligner")) {
-    return *std::move(error);
-  }
   return std::unique_ptr<GpuAligner>(new GpuAligner(std::move(*stages), std::move(timer)));
 }
 
@@ -72,10 +69,8 @@ Result<GpuAligner::Stages> GpuAligner::createStages(const GpuAlignSpec& spec) {
   if (!upload) return upload.error();
   Result<PyramidPass> pyramid = PyramidPass::create(spec.tuning.group_size);
   if (!pyramid) return pyramid.error();
-  Result<GpuReference> reference = GpuReference::create(spec);
-  if (!reference) return reference.error();
-  Result<AlignLoop> loop = AlignLoop::create(spec);
-  if (!loop) return loop.error();
+  Result<std::unique_ptr<AlignPlan>> plan = createAlignPlan(spec);
+  if (!plan) return plan.error();
 
   GlBuffer constants = GlBuffer::allocate(sizeof(GpuAlignConstants), GL_STATIC_DRAW);
   const GpuAlignConstants values = alignConstants(spec);
@@ -84,8 +79,8 @@ Result<GpuAligner::Stages> GpuAligner::createStages(const GpuAlignSpec& spec) {
                 std::move(*upload),
                 GpuPyramid::allocate(width, height, spec.levels),
                 std::move(*pyramid),
-                std::move(*reference),
-                std::move(*loop)};
+                std::move(*plan),
+                AlignStateBuffer::allocate()};
 }
 
 void GpuAligner::bindConstants() const {
@@ -95,8 +90,7 @@ void GpuAligner::bindConstants() const {
 Status GpuAligner::loadFrame(const FrameImage& image) {
   const auto* luma = std::get_if<ImageViewU8>(&image);
   if (luma == nullptr) return Error{ErrorCode::unsupported, "textures are not read yet"};
-  const ScopedGlState state;
-  beginGlPass();
+  const ScopedGlState state(GlStatePolicy::preserve);
   commands_.beginStage(GpuStage::upload);
   stages_.upload.run(*luma, stages_.frame.levels.front(), commands_);
   commands_.endStage();
@@ -104,38 +98,33 @@ Status GpuAligner::loadFrame(const FrameImage& image) {
   stages_.pyramid.run(stages_.frame, commands_);
   commands_.endStage();
   has_frame_ = true;
-  assertNoGlError("GpuAligner::loadFrame");
   return Unit{};
 }
 
 void GpuAligner::promoteReference(std::span<const AlignPoint> points_ref) {
   assert(has_frame_);
-  const ScopedGlState state;
-  beginGlPass();
+  const ScopedGlState state(GlStatePolicy::preserve);
   commands_.beginStage(GpuStage::precompute);
   bindConstants();
-  stages_.reference.precompute(stages_.frame, points_ref, commands_);
+  stages_.plan->precompute(stages_.frame, points_ref, commands_);
   commands_.endStage();
   has_reference_ = true;
-  assertNoGlError("GpuAligner::promoteReference");
 }
 
 AlignResult GpuAligner::align(const SE3d& T_cam_ref_guess) {
   AlignResult refused;
   refused.T_cam_ref = T_cam_ref_guess;
   if (!has_frame_ || !has_reference_) return refused;
-  const ScopedGlState state;
-  beginGlPass();
+  const ScopedGlState state(GlStatePolicy::preserve);
   commands_.beginStage(GpuStage::track);
   bindConstants();
-  stages_.loop.start(T_cam_ref_guess);
-  stages_.loop.run(stages_.frame, stages_.reference, commands_);
+  stages_.alignment.start(T_cam_ref_guess);
+  stages_.plan->track(stages_.frame, stages_.alignment, commands_);
   commands_.endStage();
   commands_.beginStage(GpuStage::readback);
-  const std::optional<GpuAlignState> finished = stages_.loop.finish(commands_);
+  const std::optional<GpuAlignState> finished = stages_.alignment.finish(commands_);
   commands_.endStage();
   timer_.collect();
-  assertNoGlError("GpuAligner::align");
   return finished ? toResult(*finished) : refused;
 }
 

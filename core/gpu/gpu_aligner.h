@@ -1,11 +1,11 @@
 #pragma once
 
 #include "gpu/align_layout.h"
-#include "gpu/align_loop.h"
+#include "gpu/align_plan.h"
+#include "gpu/align_state.h"
 #include "gpu/gl_caps.h"
 #include "gpu/gpu_commands.h"
 #include "gpu/gpu_pyramid.h"
-#include "gpu/gpu_reference.h"
 #include "gpu/gpu_timer.h"
 #include "gpu/gpu_tuning.h"
 #include "gpu/luma_upload.h"
@@ -61,8 +61,8 @@ class GpuAligner final : public Aligner {
     LumaUpload upload;
     GpuPyramid frame;
     PyramidPass pyramid;
-    GpuReference reference;
-    AlignLoop loop;
+    std::unique_ptr<AlignPlan> plan;
+    AlignStateBuffer alignment;
   };
   static Result<Stages> createStages(const GpuAlignSpec& spec);
   GpuAligner(Stages stages, GpuTimer timer)

@@ -4,10 +4,10 @@
 #include "gpu/compute_program.h"
 #include "gpu/gpu_commands.h"
 #include "gpu/gpu_pyramid.h"
+#include "gpu/reference_points.h"
 #include "photometric/align_types.h"
 
 #include <span>
-#include <vector>
 
 namespace glide {
 
@@ -22,7 +22,7 @@ class GpuReference {
                   std::span<const AlignPoint> points_ref,
                   GpuCommands& commands);
 
-  int pointCount() const { return point_count_; }
+  int pointCount() const { return points_.count(); }
   /// GpuPointRecord [level][max_points].
   const GlBuffer& records() const { return records_; }
   /// Floats [level][pixel][e gx gy][max_points].
@@ -33,9 +33,8 @@ class GpuReference {
 
   ComputeProgram kernel_;
   int group_size_;
-  GlBuffer points_, records_, pixels_;
-  std::vector<float> staging_;  ///< points as the kernel wants them
-  int point_count_ = 0;
+  ReferencePoints points_;
+  GlBuffer records_, pixels_;
 };
 
 }  // namespace glide
