@@ -88,6 +88,8 @@ use_driver() {
     llvmpipe | softpipe) use_mesa "$1" && export GLIDE_GL_RENDERER="^$1" ;;
     zink)
       use_mesa llvmpipe
+      # On a CPU zink 22.3 compiles the values of uniforms into compute shaders, and forgets it when they change.
+      export ZINK_INLINE_UNIFORMS=0
       export MESA_LOADER_DRIVER_OVERRIDE=zink VK_ICD_FILENAMES="$lavapipe_icd" GLIDE_GL_RENDERER='^zink'
       ;;
     angle-swiftshader)
