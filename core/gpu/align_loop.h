@@ -35,6 +35,8 @@ class AlignLoop {
              GpuCommands& commands) const;
   const GlBuffer& sums() const { return sums_; }
   const GlBuffer& weights() const { return weights_; }
+  bool isComplete() const { return allComplete(sums_, weights_); }
+  void abandon() { abandonAll(residual_, solve_, sums_, weights_); }
 
  private:
   AlignLoop(ComputeProgram residual, ComputeProgram solve, const GpuAlignSpec& spec);

@@ -33,6 +33,11 @@ class AlignPlan {
   virtual void track(const GpuPyramid& frame,
                      const AlignStateBuffer& state,
                      GpuCommands& commands) const = 0;
+
+  /// Whether there was memory for the cache and the sums.
+  virtual bool isComplete() const = 0;
+  /// Forgets all names without a GL call: the context is gone.
+  virtual void abandon() = 0;
 };
 
 /// The plan that `spec.tuning` names.

@@ -20,6 +20,8 @@ class AlignStateBuffer {
   std::optional<GpuAlignState> finish(GpuCommands& commands) const;
 
   const GlBuffer& buffer() const { return buffer_; }
+  bool isComplete() const { return buffer_.isComplete(); }
+  void abandon() { buffer_.abandon(); }
 
  private:
   explicit AlignStateBuffer(GlBuffer buffer) : buffer_(std::move(buffer)) {}

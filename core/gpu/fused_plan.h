@@ -17,6 +17,8 @@ class FusedPlan final : public AlignPlan {
   void track(const GpuPyramid& frame,
              const AlignStateBuffer& state,
              GpuCommands& commands) const override;
+  bool isComplete() const override { return allComplete(reference_, loop_); }
+  void abandon() override { abandonAll(reference_, loop_); }
 
  private:
   FusedPlan(GpuReference reference, AlignLoop loop)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/gl_objects.h"
+#include "gpu/gl_state.h"
 
 #include <optional>
 
@@ -40,6 +41,19 @@ class GlHome {
   const void* creator_;  ///< EGLContext
   const void* last_;     ///< EGLContext of the last pass
   std::optional<GlSync> submitted_;
+};
+
+/// One call of the library in the app's context: its state, and the order of what contexts submit.
+class GlVisit {
+ public:
+  GlVisit(GlHome* home, GlStatePolicy policy) : state_(policy), home_(home) { home_->enter(); }
+  ~GlVisit() { home_->leave(); }
+  GlVisit(const GlVisit&) = delete;
+  GlVisit& operator=(const GlVisit&) = delete;
+
+ private:
+  ScopedGlState state_;
+  GlHome* home_;
 };
 
 }  // namespace glide

@@ -49,7 +49,13 @@ using GlSampler = GlName<deleteSampler>;
 /// That the driver has no room for `what`.
 Error outOfMemory(std::string_view what);
 
-/// Forgets the names of several objects (or of several stages that hold such).
+/// Whether there was memory for all of several objects (or of stages that hold such).
+template <class... Objects>
+bool allComplete(const Objects&... objects) {
+  return (objects.isComplete() && ...);
+}
+
+/// Forgets the names of several objects (or of stages that hold such).
 template <class... Objects>
 void abandonAll(Objects&... objects) {
   (objects.abandon(), ...);

@@ -27,6 +27,8 @@ class GpuReference {
   const GlBuffer& records() const { return records_; }
   /// Floats [level][pixel][e gx gy][max_points].
   const GlBuffer& pixels() const { return pixels_; }
+  bool isComplete() const { return allComplete(points_, records_, pixels_); }
+  void abandon() { abandonAll(kernel_, points_, records_, pixels_); }
 
  private:
   GpuReference(ComputeProgram kernel, const GpuAlignSpec& spec);

@@ -44,6 +44,7 @@ GpuTimer GpuTimer::create(const GlCaps& caps, GpuTiming timing) {
   const auto write = load<PFNGLQUERYCOUNTEREXTPROC>("glQueryCounterEXT");
   const auto get = load<PFNGLGETQUERYOBJECTUI64VEXTPROC>("glGetQueryObjectui64vEXT");
   if (write == nullptr || get == nullptr) return timer;
+  timer.context_ = eglGetCurrentContext();
   timer.write_timestamp_ = write;
   timer.get_result_ = get;
   for (Span& span : timer.stages_) timer.makeQueries(&span);
@@ -51,6 +52,10 @@ GpuTimer GpuTimer::create(const GlCaps& caps, GpuTiming timing) {
   if (timing != GpuTiming::levels) return timer;
   for (Span& span : timer.levels_) timer.makeQueries(&span);
   return timer;
+}
+
+bool GpuTimer::usesQueries() const {
+  return write_timestamp_ != nullptr && eglGetCurrentContext() == context_;
 }
 
 void GpuTimer::makeQueries(Span* span) const {
@@ -84,11 +89,12 @@ void GpuTimer::closeLevel() {
 
 void GpuTimer::open(Span* span) {
   span->wall.lapMs();
-  if (span->begin.get() != 0) write_timestamp_(span->begin.get(), GL_TIMESTAMP_EXT);
+  if (span->begin.get() != 0 && usesQueries())
+    write_timestamp_(span->begin.get(), GL_TIMESTAMP_EXT);
 }
 
 void GpuTimer::close(Span* span) {
-  const bool has_query = span->end.get() != 0;
+  const bool has_query = span->end.get() != 0 && usesQueries();
   // A fence that is never reached leaves a time that is too short, and an alignment that fails.
   if (timing_ != GpuTiming::passive && !usesQueries()) GlSync::insert().wait(kTimeoutNs);
   const double wall_ms = span->wall.lapMs();
@@ -104,7 +110,7 @@ void GpuTimer::collect() {
 }
 
 void GpuTimer::read(Span* span) const {
-  if (!span->pending) return;
+  if (!span->pending || !usesQueries()) return;
   GLuint available = 0;
   glGetQueryObjectuiv(span->end.get(), GL_QUERY_RESULT_AVAILABLE, &available);
   if (available == 0) return;

@@ -48,8 +48,9 @@ class GpuTimer {
   /// The stages as the trackers report them: align is track, with the readback where that holds the
   /// wait for the GPU.
   AlignTimes times() const;
-  /// Whether times are the GPU's own.
-  bool usesQueries() const { return write_timestamp_ != nullptr; }
+  /// Whether times are the GPU's own: only in the context of creation, since contexts do not share
+  /// queries.
+  bool usesQueries() const;
   /// Forgets all names without a GL call: the context is gone.
   void abandon();
 
@@ -70,7 +71,8 @@ class GpuTimer {
   std::array<Span, kGpuStages> stages_;
   std::array<Span, kMaxAlignLevels> levels_;
   GpuTiming timing_;
-  int open_level_ = -1;  ///< none
+  int open_level_ = -1;            ///< none
+  const void* context_ = nullptr;  ///< EGLContext of the queries
   PFNGLQUERYCOUNTEREXTPROC write_timestamp_ = nullptr;
   PFNGLGETQUERYOBJECTUI64VEXTPROC get_result_ = nullptr;
 };

@@ -17,6 +17,8 @@ class LumaUpload {
   /// for texture fetches. Pixel unpack state is neutral (ScopedGlState); the row length is left
   /// changed.
   void run(const ImageViewU8& luma, const GlTexture& level0, GpuCommands& commands) const;
+  bool isComplete() const { return bytes_.isComplete(); }
+  void abandon() { abandonAll(bytes_, convert_); }
 
  private:
   LumaUpload(GlTexture bytes, ComputeProgram convert, int group_size)

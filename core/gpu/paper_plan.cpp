@@ -58,6 +58,17 @@ PaperPlan::PaperPlan(Programs programs, const GpuAlignSpec& spec)
   total_ = gpuOnly(kTotalBytes);
 }
 
+bool PaperPlan::isComplete() const {
+  return allComplete(
+      points_, level_points_, pixels_, point_hessians_, level_hessians_, terms_, total_);
+}
+
+void PaperPlan::abandon() {
+  Programs& p = programs_;
+  abandonAll(p.precompute, p.hessian, p.residual, p.reduce, p.solve);
+  abandonAll(points_, level_points_, pixels_, point_hessians_, level_hessians_, terms_, total_);
+}
+
 void PaperPlan::precompute(const GpuPyramid& pyramid,
                            std::span<const AlignPoint> points_ref,
                            GpuCommands& commands) {

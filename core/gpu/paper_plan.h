@@ -22,6 +22,8 @@ class PaperPlan final : public AlignPlan {
   void track(const GpuPyramid& frame,
              const AlignStateBuffer& state,
              GpuCommands& commands) const override;
+  bool isComplete() const override;
+  void abandon() override;
 
  private:
   struct Programs {

@@ -19,6 +19,8 @@ class ReferencePoints {
 
   int count() const { return count_; }
   const GlBuffer& buffer() const { return buffer_; }
+  bool isComplete() const { return buffer_.isComplete(); }
+  void abandon() { buffer_.abandon(); }
 
  private:
   ReferencePoints() = default;

@@ -41,6 +41,14 @@ class Aligner {
   /// Aligns the frame loaded last to the reference, starting at `T_cam_ref_guess`.
   virtual AlignResult align(const SE3d& T_cam_ref_guess) = 0;
 
+  /// Whether it can go on in the GL context that is current: not without one, not in one that does
+  /// not share objects with that of creation, and not after a loss. The CPU always can.
+  virtual bool isUsable() const = 0;
+
+  /// Forgets what it has on the device without a GL call: that context is gone. Only destruction
+  /// may follow.
+  virtual void abandon() = 0;
+
   virtual AlignTimes times() const = 0;
   virtual StageTimer timer() const = 0;
 };

@@ -37,6 +37,8 @@ class CpuAligner final : public Aligner {
   /// Not valid when there is no reference or no frame yet.
   AlignResult align(const SE3d& T_cam_ref_guess) override;
 
+  bool isUsable() const override { return true; }
+  void abandon() override {}
   AlignTimes times() const override { return times_; }
   StageTimer timer() const override { return StageTimer::cpu; }
 

@@ -3,6 +3,8 @@
 #include "session/map_view_builder.h"
 #include "session/session_impl.h"
 
+#include "base/file_io.h"
+
 #include <exception>
 #include <string>
 #include <utility>
@@ -47,9 +49,11 @@ LocatedCamera Session::locate(std::int64_t t_ns) const { return impl_->locate(t_
 void Session::reset() { impl_->reset(); }
 void Session::pause() { impl_->pause(); }
 void Session::resume() { impl_->resume(); }
+void Session::releaseGl() { impl_->releaseGl(); }
+void Session::abandonGl() { impl_->abandonGl(); }
 
 Status Session::saveMap(const std::filesystem::path& path) const try {
-  return writeFileAtomically(path, encodeMap(impl_->stored()));
+  return writeFileAtomically(path, encodeMap(impl_->stored()), FileDurability::synced);
 } catch (const std::exception& exception) {
   return Error{ErrorCode::internal, std::string("Session::saveMap: ") + exception.what()};
 }

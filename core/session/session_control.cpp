@@ -61,6 +61,26 @@ void Session::Impl::resume() {
   if (direct_) direct_->dropReference();
 }
 
+void Session::Impl::releaseGl() {
+  reader_.releaseGl();
+  if (direct_ && config_.backend != Backend::cpu) direct_->releaseAligner();
+}
+
+void Session::Impl::abandonGl() {
+  reader_.abandonGl();
+  if (direct_ && config_.backend != Backend::cpu) direct_->abandonAligner();
+}
+
+Status Session::Impl::ensureAligner() {
+  if (!direct_ || direct_->isUsable()) return Unit{};
+  Result<ChosenAligner> chosen = chooseAligner(config_, camera_);
+  if (!chosen) return chosen.error();
+  backend_ = std::move(chosen->info);
+  direct_->setAligner(std::move(chosen->aligner));
+  reader_.setBackend(backend_.backend);
+  return Unit{};
+}
+
 StoredMap Session::Impl::stored() const {
   const std::shared_ptr<const MapSnapshot> map = snapshot();
   const auto& corrected = map->correctedCamera();

@@ -18,8 +18,6 @@ constexpr std::size_t kTinyMapKeyframes = 5;
 // Frames that a tiny map may be lost before it is given up.
 constexpr int kLostFramesBeforeReset = 5;
 
-Error invalid(const std::string& what) { return {ErrorCode::invalid_argument, what}; }
-
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::min();
 
 double distanceToReference(const TrackedFrame& tracked) {
@@ -31,12 +29,12 @@ double distanceToReference(const TrackedFrame& tracked) {
 Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAligner aligner)
     : config_(config),
       camera_(camera),
-      backend_(aligner.info),
       back_end_(config, camera),
       timeline_(std::make_shared<const PoseTimeline>()),
+      backend_(aligner.info),
       indirect_(config, camera),
       initializer_(config, camera),
-      reader_(camera.width(), camera.height(), aligner.info.backend),
+      reader_(config, aligner.info.backend),
       last_map_(back_end_.snapshot()),
       last_t_ns_(kNever),
       used_answer_t_ns_(kNever) {
@@ -46,9 +44,13 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
 
 Status Session::Impl::take(const FrameInput& input) {
   if (input.t_ns <= last_t_ns_)
-    return invalid("FrameInput.t_ns " + std::to_string(input.t_ns) +
-                   " does not increase (the frame before had " + std::to_string(last_t_ns_) + ")");
-  return is_paused_ ? reader_.check(input.image) : reader_.take(input.image);
+    return Error{ErrorCode::out_of_order,
+                 "FrameInput.t_ns " + std::to_string(input.t_ns) +
+                     " does not increase (the frame before had " + std::to_string(last_t_ns_) +
+                     ")"};
+  if (is_paused_) return reader_.check(input.image);
+  if (Status ready = ensureAligner(); !ready) return ready;
+  return reader_.take(input.image);
 }
 
 FrameResult Session::Impl::update(const FrameInput& input) {

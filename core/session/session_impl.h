@@ -37,6 +37,9 @@ class Session::Impl {
   void reset();
   void pause();
   void resume();
+  /// The next take() chooses the aligner anew.
+  void releaseGl();
+  void abandonGl();
   /// Takes a map from a file; invalid_argument when it was made with another camera.
   Status restore(const StoredMap& stored);
 
@@ -55,6 +58,9 @@ class Session::Impl {
     int frames_since = 0;
   };
 
+  /// Makes another aligner when the one that was is not usable (released, abandoned, or its context
+  /// is not the current one). An error changes nothing.
+  Status ensureAligner();
   bool isMapping() const { return config_.mode == SessionMode::slam; }
   FrameResult initialize(const Frame& frame);
   void startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked);
@@ -84,12 +90,12 @@ class Session::Impl {
 
   const Config config_;
   const CameraModel camera_;
-  const BackendInfo backend_;
   BackEnd back_end_;
   std::atomic<std::uint64_t> resets_{0};
   Published<PoseTimeline> timeline_;
 
   // The thread of update().
+  BackendInfo backend_;
   std::optional<DirectTracker> direct_;  ///< none in TrackerMode::indirect
   IndirectTracker indirect_;
   Initializer initializer_;

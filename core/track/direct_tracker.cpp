@@ -38,6 +38,17 @@ double medianDepth(const std::vector<AlignPoint>& points) {
 DirectTracker::DirectTracker(const Config::Direct& config, std::unique_ptr<Aligner> aligner)
     : config_(config), aligner_(std::move(aligner)) {}
 
+void DirectTracker::setAligner(std::unique_ptr<Aligner> aligner) {
+  aligner_ = std::move(aligner);
+  reference_.reset();
+  is_frame_loaded_ = false;
+}
+
+void DirectTracker::abandonAligner() {
+  if (aligner_) aligner_->abandon();
+  setAligner(nullptr);
+}
+
 TrackedFrame DirectTracker::track(const Frame& frame,
                                   const FrameImage& image,
                                   const SE3d& T_cam_world_guess) {

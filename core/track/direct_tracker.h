@@ -28,6 +28,15 @@ class DirectTracker {
 
   void dropReference() { reference_.reset(); }
 
+  /// Whether track() has an aligner that can go on (Aligner::isUsable).
+  bool isUsable() const { return aligner_ != nullptr && aligner_->isUsable(); }
+  /// Goes on with another aligner; there is no reference until refreshReference.
+  void setAligner(std::unique_ptr<Aligner> aligner);
+  /// Lets go of the aligner: what it has on the device is freed, or forgotten without a GL call.
+  /// Until setAligner, track() must not be called.
+  void releaseAligner() { setAligner(nullptr); }
+  void abandonAligner();
+
  private:
   struct Reference {
     AnchoredPose pose;

@@ -11,7 +11,11 @@ namespace glide {
 enum class ErrorCode {
   invalid_argument,  ///< A config field or an input is out of its range; the message names it.
   unsupported,       ///< The device or the build lacks what was asked for (for instance no ES 3.1).
+  out_of_order,      ///< A timestamp does not increase.
+  missing_context,   ///< No OpenGL ES 3.1 context is current on this thread.
   io,                ///< A file could not be read or written; the message names it.
+  invalid_data,      ///< The bytes are no sound map; the message says what is wrong with them.
+  unknown_version,   ///< A map of another version of the format.
   gl,                ///< A GL call failed; the message names it.
   internal,          ///< A dependency failed unexpectedly (for instance out of memory).
 };

@@ -24,8 +24,9 @@ struct BackendInfo {
 };
 
 /// Monocular SLAM: frames in, poses out. One thread calls update() and everything else that is not
-/// marked "any thread"; when the backend is gles, that thread has the same GL context current at
-/// create(), every update() and destruction.
+/// marked "any thread"; when the backend is gles, that thread has the same GL context, or one that
+/// shares objects with it, current at create(), every update(), releaseGl() and destruction
+/// (docs/gl-contract.md). In a context that does not share, update() builds its GL objects anew.
 class GLIDE_API Session {
  public:
   /// Checks the config (validate) and, for Backend::gles, the current context.
@@ -35,8 +36,9 @@ class GLIDE_API Session {
   Session& operator=(Session&&) noexcept;
   ~Session();
 
-  /// Tracks one frame. Never waits for mapping unless Execution::inline_. A wrong image size, null
-  /// pixels or a timestamp that does not increase is invalid_argument and changes nothing.
+  /// Tracks one frame. Never waits for mapping unless Execution::inline_. A wrong image size or
+  /// null pixels is invalid_argument, a timestamp that does not increase out_of_order; neither
+  /// changes anything.
   Result<FrameResult> update(const FrameInput& frame);
 
   /// Where the camera was at `t_ns` (the clock of FrameInput): interpolated within the last few
@@ -55,6 +57,14 @@ class GLIDE_API Session {
   void pause();
   void resume();
 
+  /// Frees what the session has in the GL context, which is current: before an app gives its
+  /// context away. The map stays; the next update() chooses the backend anew, in the context that
+  /// is current then (any context, any driver), and tracking goes on: the frame is placed by the
+  /// indirect tracker. Without a context, like abandonGl(). Nothing with Backend::cpu.
+  void releaseGl();
+  /// The same when the context is gone or lost: forgets the GL names without a GL call.
+  void abandonGl();
+
   /// Writes the map as it is now to `path`, under a temporary name first: the file is whole or not
   /// there. Format: docs/map-format.md. io when it cannot be written. A map without keyframes is
   /// written, too, but loadMap refuses it. Any thread; does not hold up update().
@@ -64,8 +74,9 @@ class GLIDE_API Session {
 
   /// Takes the place of the present map; the camera is lost until it is recognised in it, and poses
   /// are in the loaded map's frame from then on. Waits until the mapper has taken it over. io when
-  /// the file cannot be read or is no sound map, invalid_argument when it was made with another
-  /// camera or other feature levels; then nothing is changed.
+  /// the file cannot be read, invalid_data or unknown_version when it is no map that this library
+  /// reads, invalid_argument when it was made with another camera or other feature levels; then
+  /// nothing is changed.
   Status loadMap(const std::filesystem::path& path);
   Status loadMap(std::span<const std::byte> bytes);
 
