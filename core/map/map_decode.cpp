@@ -244,7 +244,11 @@ Result<StoredMap> decodeMap(std::span<const std::byte> bytes) {
   Decoding decoding;
   MapFault wrong = readMapHeader(bytes, &decoding.header);
   if (!wrong) wrong = readSections(bytes, &decoding);
-  if (wrong) return Error{ErrorCode::io, *std::move(wrong)};
+  const bool is_other = isOtherMapVersion(bytes);
+  if (wrong) {
+    return Error{is_other ? ErrorCode::unknown_version : ErrorCode::invalid_data,
+                 *std::move(wrong)};
+  }
   const MapHeader& header = decoding.header;
   decoding.parts.camera = std::make_shared<const CameraModel>(*CameraModel::create(header.camera));
   return StoredMap{std::make_shared<const MapSnapshot>(std::move(decoding.parts)),

@@ -137,6 +137,15 @@ MapFault readSections(const HeaderRecord& record, std::size_t file_bytes, MapHea
   return std::nullopt;
 }
 
+/// Whether the first bytes, as far as there are any, are a map's.
+bool startsLikeMap(std::span<const std::byte> file) {
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(file.size(), kMagic.size()));
+  return std::equal(
+      kMagic.begin(), kMagic.begin() + shown, file.begin(), [](std::uint8_t a, std::byte b) {
+        return a == static_cast<std::uint8_t>(b);
+      });
+}
+
 }  // namespace
 
 std::uint64_t MapHeader::offset(MapSection section) const {
@@ -182,17 +191,19 @@ void sealMapFile(std::span<std::byte> file) {
   std::copy(sum.begin(), sum.end(), file.begin() + kChecksumOffset);
 }
 
+bool isOtherMapVersion(std::span<const std::byte> file) {
+  if (file.size() < kMapHeaderBytes || !startsLikeMap(file)) return false;
+  HeaderRecord record;
+  ByteReader reader(file);
+  record.fields(reader);
+  return record.version != kVersion;
+}
+
 MapFault readMapHeader(std::span<const std::byte> file, MapHeader* header) {
   assert(bytesOf<HeaderRecord>() == kMapHeaderBytes);
   HeaderRecord record;
-  const std::size_t shown = std::min(file.size(), kMagic.size());
-  if (shown == 0) return "empty";
-  if (!std::equal(kMagic.begin(),
-                  kMagic.begin() + static_cast<std::ptrdiff_t>(shown),
-                  file.begin(),
-                  [](std::uint8_t a, std::byte b) { return a == static_cast<std::uint8_t>(b); })) {
-    return "not a map of GLidE-SLAM (its first bytes are others)";
-  }
+  if (file.empty()) return "empty";
+  if (!startsLikeMap(file)) return "not a map of GLidE-SLAM (its first bytes are others)";
   if (file.size() < kMapHeaderBytes) {
     return "truncated: " + std::to_string(file.size()) + " bytes, less than a header";
   }

@@ -49,6 +49,9 @@ void writeMapHeader(const MapHeader& header, std::vector<std::byte>* bytes);
 /// shorter than a header.
 void sealMapFile(std::span<std::byte> file);
 
+/// Whether this is a map file, but of a version that this library does not read.
+bool isOtherMapVersion(std::span<const std::byte> file);
+
 /// Checks magic, version, sizes and the checksum of a whole file, and what the header says of
 /// camera and scale levels.
 MapFault readMapHeader(std::span<const std::byte> file, MapHeader* header);

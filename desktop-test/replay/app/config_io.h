@@ -9,10 +9,6 @@
 
 namespace glide::replay {
 
-/// Applies "direct.patch_size=11". invalid_argument naming the key (and the one most like it) or
-/// the value that does not fit. Ranges are validate()'s business.
-Status applySetting(const std::string& key_value, Config& config);
-
 /// Applies a YAML or JSON file of config fields, nested ("direct: {levels: 5}") or dotted
 /// ("direct.levels: 5"). io naming file, line and field.
 Status applyConfigFile(const std::filesystem::path& file, Config& config);

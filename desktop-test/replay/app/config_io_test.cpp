@@ -18,37 +18,6 @@ Status applyText(const std::string& text, Config& config) {
   return applyConfigFile(file, config);
 }
 
-std::string settingFault(const std::string& setting) {
-  Config config;
-  return faultOf(applySetting(setting, config));
-}
-
-TEST(Setting, ReachesFieldsOfEveryType) {
-  Config config;
-  for (const char* setting : {"direct.patch_size=7",
-                              "direct.max_rms=12.5",
-                              "backend=cpu",
-                              "execution=inline",
-                              "camera.coefficients=[0.1, -0.2,0,0]"}) {
-    EXPECT_TRUE(applySetting(setting, config).ok()) << setting;
-  }
-  EXPECT_EQ(config.direct.patch_size, 7);
-  EXPECT_EQ(config.direct.max_rms, 12.5);
-  EXPECT_EQ(config.backend, Backend::cpu);
-  EXPECT_EQ(config.execution, Execution::inline_);
-  EXPECT_THAT(config.camera.coefficients, testing::ElementsAre(0.1, -0.2, 0, 0));
-}
-
-TEST(Setting, SaysWhatIsWrong) {
-  EXPECT_THAT(settingFault("direct.patch_size"), HasSubstr("key=value"));
-  EXPECT_THAT(settingFault("direct.patchsize=7"), HasSubstr("did you mean direct.patch_size?"));
-  EXPECT_THAT(settingFault("patch_size=7"), HasSubstr("did you mean direct.patch_size?"));
-  EXPECT_THAT(settingFault("colour=red"), HasSubstr("--print-config"));
-  EXPECT_THAT(settingFault("direct.patch_size=7.5"), HasSubstr("not a whole number"));
-  EXPECT_THAT(settingFault("direct.max_rms=low"), HasSubstr("'low' is not a number"));
-  EXPECT_THAT(settingFault("backend=gpu"), HasSubstr("none of auto, gles, cpu"));
-}
-
 TEST(ConfigFile, TakesNestedAndDottedFieldsAndJson) {
   Config config;
   EXPECT_TRUE(applyText("direct:\n  levels: 5\ndirect.patch_size: 9\nbackend: cpu\n", config).ok());

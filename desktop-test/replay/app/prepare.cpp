@@ -4,6 +4,8 @@
 
 #include "base/stopwatch.h"
 
+#include "glide/config_text.h"
+
 #include <fmt/format.h>
 
 #include <ctime>
@@ -62,7 +64,7 @@ std::optional<Failure> openCalibration(Job& job) {
   if (auto failure = fitSize(job.source.frames->info(), job.calibration)) return failure;
   job.config.camera = job.calibration.camera;
   for (const std::string& setting : job.options.settings) {
-    if (setting.rfind("camera.", 0) == 0) applySetting(setting, job.config);
+    if (setting.rfind("camera.", 0) == 0) applySetting(job.config, setting);
   }
   job.log.note("calibration: " + job.calibration.origin);
   return std::nullopt;
@@ -109,7 +111,7 @@ std::optional<Failure> buildConfig(Job& job) {
     if (!status) return unreadable(status.error());
   }
   for (const std::string& setting : job.options.settings) {
-    const Status status = applySetting(setting, job.config);
+    const Status status = applySetting(job.config, setting);
     if (!status) return usage(status.error().message);
   }
   Config with_camera = job.config;  // the real one is not known yet

@@ -72,7 +72,7 @@ TEST(Session, RefusesGlesWithoutACurrentContext) {
   config.backend = Backend::gles;
   const Result<Session> session = Session::create(config);
   ASSERT_FALSE(session.ok());
-  EXPECT_EQ(session.error().code, ErrorCode::unsupported);
+  EXPECT_EQ(session.error().code, ErrorCode::missing_context);
 }
 
 TEST(Session, RefusesBadInputByNameAndGoesOn) {

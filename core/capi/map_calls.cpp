@@ -1,0 +1,141 @@
+#include "capi/conversion.h"
+#include "capi/counted.h"
+#include "capi/handles.h"
+#include "capi/sized_struct.h"
+
+#include "glide/glide.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glide {
+
+MapTable& mapTable() {
+  static MapTable table;
+  return table;
+}
+
+namespace {
+
+using AppMap = AppSession::AppMap;
+
+// Read in pieces: how much there is, is known only at the end.
+constexpr std::size_t kReadStep = 1U << 16U;
+
+glide_status wrong(const std::string& what) { return refuse(GLIDE_ERROR_INVALID_ARGUMENT, what); }
+
+glide_status doneOr(const Status& status) { return status ? kDone : refuse(status.error()); }
+
+/// Runs function(const AppMap&) on the map of a handle, or says that there is none.
+template <class Function>
+glide_status withMap(const glide_map* handle, Function&& function) noexcept {
+  return guarded([&]() -> glide_status {
+    const std::shared_ptr<const AppMap> map = mapTable().find(handle);
+    if (!map) return refuse(GLIDE_ERROR_SESSION_CLOSED, "the map is null or was released");
+    return function(*map);
+  });
+}
+
+std::vector<std::byte> readAll(const glide_io& io) {
+  std::vector<std::byte> bytes;
+  for (;;) {
+    const std::size_t have = bytes.size();
+    bytes.resize(have + kReadStep);
+    const std::size_t got = std::min(io.read(io.user, bytes.data() + have, kReadStep), kReadStep);
+    bytes.resize(have + got);
+    if (got < kReadStep) return bytes;
+  }
+}
+
+}  // namespace
+}  // namespace glide
+
+using namespace glide;  // NOLINT(google-build-using-namespace): the file is the C side of it
+
+extern "C" {
+
+glide_status glide_map_acquire(glide_session* session, glide_map** map) {
+  return withSession(session, [&](AppSession& app) {
+    if (map == nullptr) return wrong("map is null");
+    *map = mapTable().add(app.map());
+    return kDone;
+  });
+}
+
+void glide_map_release(glide_map* map) {
+  guarded([&] {
+    mapTable().remove(map);
+    return kDone;
+  });
+}
+
+glide_status glide_map_revision(const glide_map* map, uint64_t* revision) {
+  return withMap(map, [&](const AppMap& app) {
+    if (revision == nullptr) return wrong("revision is null");
+    *revision = app.view->revision;
+    return kDone;
+  });
+}
+
+glide_status glide_map_points(const glide_map* map,
+                              size_t capacity,
+                              glide_point* points,
+                              size_t* count) {
+  return withMap(map, [&](const AppMap& app) {
+    const CountedOut<glide_point> out{capacity, points, count};
+    if (!out.isValid()) return wrong("points or count is null");
+    const auto& landmarks = app.view->landmarks;
+    return out.fill(landmarks.size(), [&](std::size_t i) { return toC(landmarks[i], app.world); });
+  });
+}
+
+glide_status glide_map_keyframes(const glide_map* map,
+                                 size_t capacity,
+                                 glide_keyframe* keyframes,
+                                 size_t* count) {
+  return withMap(map, [&](const AppMap& app) {
+    const CountedOut<glide_keyframe> out{capacity, keyframes, count};
+    if (!out.isValid()) return wrong("keyframes or count is null");
+    const auto& all = app.view->keyframes;
+    return out.fill(all.size(), [&](std::size_t i) { return toC(all[i], app.world); });
+  });
+}
+
+glide_status glide_map_save(glide_session* session, const char* path) {
+  return withSession(session, [&](AppSession& app) {
+    if (path == nullptr) return wrong("path is null");
+    return doneOr(app.saveMap(path));
+  });
+}
+
+glide_status glide_map_load(glide_session* session, const char* path) {
+  return withSession(session, [&](AppSession& app) {
+    if (path == nullptr) return wrong("path is null");
+    return doneOr(app.loadMap(path));
+  });
+}
+
+glide_status glide_map_save_io(glide_session* session, const glide_io* io) {
+  return withSession(session, [&](AppSession& app) {
+    const std::optional<glide_io> known = readSized(io);
+    if (!known || known->write == nullptr) return wrong("io or io->write is null");
+    const Result<std::vector<std::byte>> bytes = app.saveMap();
+    if (!bytes) return refuse(bytes.error());
+    const std::size_t written = known->write(known->user, bytes->data(), bytes->size());
+    if (written == bytes->size()) return kDone;
+    return refuse(GLIDE_ERROR_IO,
+                  "io->write took " + std::to_string(written) + " of " +
+                      std::to_string(bytes->size()) + " bytes");
+  });
+}
+
+glide_status glide_map_load_io(glide_session* session, const glide_io* io) {
+  return withSession(session, [&](AppSession& app) {
+    const std::optional<glide_io> known = readSized(io);
+    if (!known || known->read == nullptr) return wrong("io or io->read is null");
+    return doneOr(app.loadMap(readAll(*known)));
+  });
+}
+
+}  // extern "C"
