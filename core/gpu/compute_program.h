@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/gl_objects.h"
+#include "gpu/program_cache.h"
 #include "gpu/shader_source.h"
 
 #include <string>
@@ -11,7 +12,12 @@ namespace glide {
 /// A compute shader of shaders/, compiled and linked. Owned by the GL thread.
 class ComputeProgram {
  public:
-  /// Builds shaders/`name`. An error holds the driver's log.
+  /// Takes shaders/`name` from `programs`, or builds it and leaves its binary there. An error holds
+  /// the driver's log.
+  static Result<ComputeProgram> create(std::string_view name,
+                                       const ShaderDefines& defines,
+                                       const ProgramCache& programs);
+  /// The same, always built.
   static Result<ComputeProgram> create(std::string_view name, const ShaderDefines& defines);
   /// Builds from a text that assembleShader made; `name` is for messages.
   static Result<ComputeProgram> compile(std::string_view name, const std::string& text);
@@ -21,6 +27,9 @@ class ComputeProgram {
   void abandon() { program_.abandon(); }
 
  private:
+  static Result<ComputeProgram> build(std::string_view name,
+                                      const std::string& text,
+                                      const ProgramCache& programs);
   explicit ComputeProgram(GlProgram program) : program_(std::move(program)) {}
   GlProgram program_;
 };

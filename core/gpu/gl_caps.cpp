@@ -42,13 +42,19 @@ void queryLimits(GlCaps* caps) {
   caps->max_storage_bytes = bytes;
 }
 
+std::vector<std::uint32_t> binaryFormats() {
+  std::vector<GLint> formats(static_cast<std::size_t>(glInteger(GL_NUM_PROGRAM_BINARY_FORMATS)));
+  if (!formats.empty()) glGetIntegerv(GL_PROGRAM_BINARY_FORMATS, formats.data());
+  return {formats.begin(), formats.end()};
+}
+
 }  // namespace
 
 Result<GlCaps> GlCaps::query() {
   GlCaps caps;
   caps.version = glString(GL_VERSION);
   if (caps.version.empty()) {
-    return unsupported("OpenGL ES: no context is current on this thread");
+    return Error{ErrorCode::missing_context, "OpenGL ES: no context is current on this thread"};
   }
   caps.vendor = glString(GL_VENDOR);
   caps.renderer = glString(GL_RENDERER);
@@ -60,6 +66,9 @@ Result<GlCaps> GlCaps::query() {
   caps.es_version = *es_version;
   caps.is_software = isSoftwareRenderer(caps.renderer);
   caps.has_timer_query = hasExtension("GL_EXT_disjoint_timer_query");
+  caps.has_external = hasExtension("GL_OES_EGL_image_external");
+  caps.has_external_essl3 = hasExtension("GL_OES_EGL_image_external_essl3");
+  caps.program_binary_formats = binaryFormats();
   queryLimits(&caps);
   return caps;
 }

@@ -6,7 +6,6 @@
 #include "glide/types.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <vector>
@@ -26,10 +25,5 @@ std::vector<std::byte> encodeMap(const StoredMap& stored);
 /// io error that says what is wrong: not a map, unknown version, truncated, damaged (checksum), or
 /// contents that contradict each other. Allocates no more than a small multiple of the input.
 Result<StoredMap> decodeMap(std::span<const std::byte> bytes);
-
-/// Writes under a temporary name in the same folder, then renames: the file is whole or not there.
-Status writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
-
-Result<std::vector<std::byte>> readFile(const std::filesystem::path& path);
 
 }  // namespace glide

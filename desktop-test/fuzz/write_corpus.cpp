@@ -1,7 +1,7 @@
 // write_corpus FOLDER: the files that fuzzing starts from.
 #include "fuzz/map_input.h"
 
-#include "map/map_io.h"
+#include "base/file_io.h"
 
 #include <cstdio>
 #include <string>
@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   int count = 0;
   for (const std::vector<std::byte>& file : glide::test::seedFiles()) {
     const std::filesystem::path path = folder / ("map" + std::to_string(count++));
-    const glide::Status status = glide::writeFileAtomically(path, file);
+    const glide::Status status =
+        glide::writeFileAtomically(path, file, glide::FileDurability::synced);
     if (!status.ok()) return std::fprintf(stderr, "%s\n", status.error().message.c_str()), 1;
   }
   return 0;

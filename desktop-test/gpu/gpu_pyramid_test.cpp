@@ -8,29 +8,65 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace glide::test {
 namespace {
 
 constexpr int kLevels = 6;
 constexpr float kTolerance = 0.01F;  // grey levels; both blur in float, in another order
+constexpr PyramidKernel kKernels[] = {
+    PyramidKernel::strip, PyramidKernel::tile, PyramidKernel::two_pass};
+
+struct Variant {
+  PyramidKernel kernel;
+  int group_size;
+};
+
+std::vector<Variant> variants() {
+  std::vector<Variant> all;
+  for (const PyramidKernel kernel : kKernels) {
+    for (const int group_size : kGroupSizes) all.push_back({kernel, group_size});
+  }
+  return all;
+}
+
+std::string nameOf(const Variant& variant) {
+  const std::array<const char*, 3> names{"strip", "tile", "two_pass"};
+  return std::string(names.at(static_cast<std::size_t>(variant.kernel))) + " with groups of " +
+         std::to_string(variant.group_size);
+}
+
+GpuTuning tuningOf(const Variant& variant) {
+  GpuTuning tuning;
+  tuning.group_size = variant.group_size;
+  tuning.pyramid = variant.kernel;
+  return tuning;
+}
 
 class GpuPyramidTest : public GlTest {
  protected:
   /// Uploads `luma` and builds the levels.
-  GpuPyramid build(const ImageViewU8& luma, int group_size) const {
+  GpuPyramid build(const ImageViewU8& luma, const Variant& variant) {
     const ScopedGlState state(GlStatePolicy::preserve);
     const int levels = pyramidLevels(luma.width, luma.height, kLevels);
     GpuPyramid pyramid = GpuPyramid::allocate(luma.width, luma.height, levels);
-    const Result<LumaUpload> upload = LumaUpload::create(luma.width, luma.height, group_size);
-    const Result<PyramidPass> pass = PyramidPass::create(group_size);
+    const Result<LumaUpload> upload =
+        LumaUpload::create(luma.width, luma.height, variant.group_size);
+    const Result<PyramidPass> pass =
+        PyramidPass::create(tuningOf(variant), pyramid, ProgramCache());
     EXPECT_TRUE(upload.ok() && pass.ok());
-    GpuCommands commands;
-    upload->run(luma, pyramid.levels.front(), commands);
-    pass->run(pyramid, commands);
+    upload->run(luma, pyramid.levels.front(), commands_);
+    commands_.beginStage(GpuStage::pyramid);
+    pass->run(pyramid, commands_);
+    commands_.endStage();
     return pyramid;
   }
+
+  GpuCommands commands_;
 };
 
 float largestDifference(const ImageF& a, const ImageF& b) {
@@ -53,13 +89,13 @@ void expectSamePyramid(const GpuPyramid& gpu, const Pyramid& cpu) {
   }
 }
 
-TEST_F(GpuPyramidTest, EqualsTheCpusForEveryGroupSize) {
+TEST_F(GpuPyramidTest, EqualsTheCpusForEveryKernelAndGroupSize) {
   const ImageU8 image = randomImage(imageWidth(), imageHeight(), 1);
   Pyramid cpu;
   buildPyramid(image.view(), kLevels, &cpu);
-  for (const int group_size : kGroupSizes) {
-    SCOPED_TRACE(group_size);
-    expectSamePyramid(build(image.view(), group_size), cpu);
+  for (const Variant& variant : variants()) {
+    SCOPED_TRACE(nameOf(variant));
+    expectSamePyramid(build(image.view(), variant), cpu);
   }
 }
 
@@ -70,8 +106,31 @@ TEST_F(GpuPyramidTest, EqualsTheCpusForOddSizesAndForeignStrides) {
     const ImageViewU8 cropped{image.row(0) + 1, width, height, image.stride()};
     Pyramid cpu;
     buildPyramid(cropped, kLevels, &cpu);
-    expectSamePyramid(build(cropped, 64), cpu);
+    for (const Variant& variant : variants()) {
+      SCOPED_TRACE(nameOf(variant));
+      expectSamePyramid(build(cropped, variant), cpu);
+    }
   }
+}
+
+TEST_F(GpuPyramidTest, TakesOneDispatchALevelUnlessItIsThePapers) {
+  const ImageU8 image = randomImage(imageWidth(), imageHeight(), 3);
+  for (const PyramidKernel kernel : kKernels) {
+    const Variant variant{kernel, 64};
+    SCOPED_TRACE(nameOf(variant));
+    const auto made = static_cast<int>(build(image.view(), variant).levels.size()) - 1;
+    const int passes = kernel == PyramidKernel::two_pass ? 2 : 1;
+    EXPECT_EQ(commands_.count(GpuStage::pyramid).dispatches, passes * made);
+    EXPECT_EQ(commands_.count(GpuStage::pyramid).barriers, passes * made);
+  }
+}
+
+TEST(PyramidKernelOfATuning, IsThePapersInThePapersPlanOnly) {
+  GpuTuning tuning;
+  tuning.pyramid = PyramidKernel::tile;
+  EXPECT_EQ(pyramidKernel(tuning), PyramidKernel::tile);
+  tuning.plan = GpuPlan::paper;
+  EXPECT_EQ(pyramidKernel(tuning), PyramidKernel::two_pass);
 }
 
 }  // namespace

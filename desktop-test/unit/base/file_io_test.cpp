@@ -1,4 +1,4 @@
-#include "map/map_io.h"
+#include "base/file_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,15 +19,15 @@ std::vector<std::byte> someBytes(std::size_t count) {
 }
 
 /// A folder of its own for each test.
-class MapFile : public testing::Test {
+class FileIo : public testing::Test {
  protected:
-  MapFile()
+  FileIo()
       : folder_(fs::temp_directory_path() /
                 (std::string("glide_") + std::to_string(::getpid()) + "_" +
                  testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::create_directories(folder_);
   }
-  ~MapFile() override { fs::remove_all(folder_); }
+  ~FileIo() override { fs::remove_all(folder_); }
 
   std::size_t filesInFolder() const {
     return static_cast<std::size_t>(
@@ -37,44 +37,46 @@ class MapFile : public testing::Test {
   const fs::path folder_;
 };
 
-TEST_F(MapFile, ReadsBackWhatWasWritten) {
-  const fs::path path = folder_ / "a.glmap";
-  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{3'000'000}}) {
-    ASSERT_TRUE(writeFileAtomically(path, someBytes(size)).ok());
-    const auto read = readFile(path);
-    ASSERT_TRUE(read.ok());
-    EXPECT_EQ(read.value(), someBytes(size));
+TEST_F(FileIo, ReadsBackWhatWasWritten) {
+  const fs::path path = folder_ / "a.bin";
+  for (const auto durability : {FileDurability::synced, FileDurability::cached}) {
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{3'000'000}}) {
+      ASSERT_TRUE(writeFileAtomically(path, someBytes(size), durability).ok());
+      const auto read = readFile(path);
+      ASSERT_TRUE(read.ok());
+      EXPECT_EQ(read.value(), someBytes(size));
+    }
   }
   EXPECT_EQ(filesInFolder(), 1U);
 }
 
-TEST_F(MapFile, SurvivesLeftoversOfAnotherSave) {
-  const fs::path path = folder_ / "a.glmap";
+TEST_F(FileIo, SurvivesLeftoversOfAnotherSave) {
+  const fs::path path = folder_ / "a.bin";
   std::ofstream(path.string() + "." + std::to_string(::getpid()) + "-0.tmp") << "left over";
-  ASSERT_TRUE(writeFileAtomically(path, someBytes(10)).ok());
+  ASSERT_TRUE(writeFileAtomically(path, someBytes(10), FileDurability::synced).ok());
   EXPECT_EQ(readFile(path)->size(), 10U);
   EXPECT_EQ(filesInFolder(), 2U);  // what is not ours stays
 }
 
-TEST_F(MapFile, LeavesNothingHalfWritten) {
+TEST_F(FileIo, LeavesNothingHalfWritten) {
   const fs::path taken = folder_ / "folder";
   fs::create_directories(taken / "inside");  // a rename onto it fails
-  const Status status = writeFileAtomically(taken, someBytes(10));
+  const Status status = writeFileAtomically(taken, someBytes(10), FileDurability::synced);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::io);
   EXPECT_THAT(status.error().message, HasSubstr(taken.string()));
   EXPECT_EQ(filesInFolder(), 1U);
 }
 
-TEST_F(MapFile, NamesTheFileThatCannotBeWritten) {
-  const fs::path path = folder_ / "missing" / "a.glmap";
-  const Status status = writeFileAtomically(path, someBytes(10));
+TEST_F(FileIo, NamesTheFileThatCannotBeWritten) {
+  const fs::path path = folder_ / "missing" / "a.bin";
+  const Status status = writeFileAtomically(path, someBytes(10), FileDurability::synced);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::io);
   EXPECT_THAT(status.error().message, HasSubstr(path.string()));
 }
 
-TEST_F(MapFile, NamesTheFileThatCannotBeRead) {
+TEST_F(FileIo, NamesTheFileThatCannotBeRead) {
   const auto missing = readFile(folder_ / "missing");
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().code, ErrorCode::io);

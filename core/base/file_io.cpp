@@ -1,6 +1,5 @@
-#include "map/map_io.h"
+#include "base/file_io.h"
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
@@ -83,18 +82,21 @@ void syncFolder(const fs::path& path) {
 
 }  // namespace
 
-Status writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
+Status writeFileAtomically(const fs::path& path,
+                           std::span<const std::byte> bytes,
+                           FileDurability durability) {
   TemporaryFile temporary = createBeside(path);
   if (!temporary.file.isOpen()) return failure("cannot create", path, errno);
-  const bool is_written = writeAll(temporary.file.get(), bytes) &&
-                          ::fsync(temporary.file.get()) == 0 && temporary.file.close() &&
-                          ::rename(temporary.path.c_str(), path.c_str()) == 0;
+  const bool is_synced = durability == FileDurability::synced;
+  const bool is_written =
+      writeAll(temporary.file.get(), bytes) && (!is_synced || ::fsync(temporary.file.get()) == 0) &&
+      temporary.file.close() && ::rename(temporary.path.c_str(), path.c_str()) == 0;
   if (!is_written) {
     const int error_number = errno;
     ::unlink(temporary.path.c_str());
     return failure("cannot write", path, error_number);
   }
-  syncFolder(path);
+  if (is_synced) syncFolder(path);
   return Unit{};
 }
 
