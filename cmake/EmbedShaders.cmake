@@ -1,5 +1,5 @@
 # cmake -DDIRECTORY=... -DFUNCTION=... -DOUTPUT=... -P EmbedShaders.cmake: see GlideShaders.cmake.
-file(GLOB paths ${DIRECTORY}/*.comp ${DIRECTORY}/*.glsl)
+file(GLOB paths ${DIRECTORY}/*.comp ${DIRECTORY}/*.vert ${DIRECTORY}/*.frag ${DIRECTORY}/*.glsl)
 list(SORT paths)
 set(entries "")
 foreach(path IN LISTS paths)

@@ -3,6 +3,11 @@
 function(glide_module name)
   cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(ANDROID)
+    list(FILTER sources EXCLUDE REGEX "_none\\.cpp$")  # what other systems have instead of NAME_android.cpp
+  else()
+    list(FILTER sources EXCLUDE REGEX "_android\\.cpp$")
+  endif()
   if(NOT sources)
     return()
   endif()

@@ -10,7 +10,7 @@ function(glide_embed_shaders target)
     set(directory ${ARGV1})
     set(function_name ${ARGV2})
   endif()
-  file(GLOB shaders CONFIGURE_DEPENDS ${directory}/*.comp ${directory}/*.glsl)
+  file(GLOB shaders CONFIGURE_DEPENDS ${directory}/*.comp ${directory}/*.vert ${directory}/*.frag ${directory}/*.glsl)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders.cpp)
   add_custom_command(
     OUTPUT ${output}

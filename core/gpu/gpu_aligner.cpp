@@ -1,7 +1,5 @@
 #include "gpu/gpu_aligner.h"
 
-#include "gpu/gl_state.h"
-
 #include "image/pyramid.h"
 
 #include <string>
@@ -42,58 +40,96 @@ Result<std::unique_ptr<Aligner>> GpuAligner::createTuned(const GlCaps& caps,
                                                          const Config::Direct& direct,
                                                          const CameraModel& camera,
                                                          const GpuTuning& tuning) {
-  auto aligner = createTimed(caps, direct, camera, tuning, GpuTiming::passive);
+  auto aligner = createWith(caps, direct, camera, tuning, GpuRunOptions{});
   if (!aligner) return aligner.error();
   return std::unique_ptr<Aligner>(std::move(*aligner));
 }
 
-Result<std::unique_ptr<GpuAligner>> GpuAligner::createTimed(const GlCaps& caps,
-                                                            const Config::Direct& direct,
-                                                            const CameraModel& camera,
-                                                            const GpuTuning& tuning,
-                                                            GpuTiming timing) {
+Result<std::unique_ptr<GpuAligner>> GpuAligner::createWith(const GlCaps& caps,
+                                                           const Config::Direct& direct,
+                                                           const CameraModel& camera,
+                                                           const GpuTuning& tuning,
+                                                           const GpuRunOptions& options) {
   const int levels = pyramidLevels(camera.width(), camera.height(), direct.levels);
   const GpuAlignSpec spec{direct, camera, levels, tuning};
   if (std::optional<Error> error = checkLimits(caps, spec)) return *std::move(error);
-  const ScopedGlState state(GlStatePolicy::preserve);
-  Result<Stages> stages = createStages(spec);
+  Result<GlHome> home = GlHome::create();
+  if (!home) return home.error();
+  const ScopedGlState state(options.state);
+  Result<Stages> stages = createStages(caps, spec);
   if (!stages) return stages.error();
-  GpuTimer timer = GpuTimer::create(caps, timing);
-  return std::unique_ptr<GpuAligner>(new GpuAligner(std::move(*stages), std::move(timer)));
+  GpuTimer timer = GpuTimer::create(caps, options.timing);
+  home->leave();
+  return std::unique_ptr<GpuAligner>(
+      new GpuAligner(std::move(*stages), std::move(timer), std::move(*home), options.state));
 }
 
-Result<GpuAligner::Stages> GpuAligner::createStages(const GpuAlignSpec& spec) {
+Result<GpuAligner::Stages> GpuAligner::createStages(const GlCaps& caps, const GpuAlignSpec& spec) {
   const int width = spec.camera.width();
   const int height = spec.camera.height();
   Result<LumaUpload> upload = LumaUpload::create(width, height, spec.tuning.group_size);
   if (!upload) return upload.error();
-  Result<PyramidPass> pyramid = PyramidPass::create(spec.tuning.group_size);
+  GpuPyramid frame = GpuPyramid::allocate(width, height, spec.levels);
+  Result<PyramidPass> pyramid = PyramidPass::create(spec.tuning, frame, spec.programs);
   if (!pyramid) return pyramid.error();
   Result<std::unique_ptr<AlignPlan>> plan = createAlignPlan(spec);
   if (!plan) return plan.error();
 
   GlBuffer constants = GlBuffer::allocate(sizeof(GpuAlignConstants), GL_STATIC_DRAW);
+  AlignStateBuffer alignment = AlignStateBuffer::allocate();
+  if (!allComplete(constants, *upload, frame, *pyramid, **plan, alignment)) {
+    return outOfMemory("the aligner's buffers and textures");
+  }
   const GpuAlignConstants values = alignConstants(spec);
   constants.write(&values, sizeof(values));
   return Stages{std::move(constants),
                 std::move(*upload),
-                GpuPyramid::allocate(width, height, spec.levels),
+                TextureUpload(caps, {width, height}, spec.tuning.group_size),
+                std::move(frame),
                 std::move(*pyramid),
                 std::move(*plan),
-                AlignStateBuffer::allocate()};
+                std::move(alignment)};
+}
+
+GpuAligner::~GpuAligner() {
+  if (!home_.isHere()) {
+    abandon();
+  } else if (!home_.isCreator()) {
+    timer_.abandon();  // its queries are not of the current context
+  }
+}
+
+void GpuAligner::abandon() {
+  abandonAll(stages_.constants,
+             stages_.upload,
+             stages_.texture_upload,
+             stages_.frame,
+             stages_.pyramid,
+             *stages_.plan,
+             stages_.alignment,
+             timer_,
+             home_);
+  is_lost_ = true;
 }
 
 void GpuAligner::bindConstants() const {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stages_.constants.get());
 }
 
+Status GpuAligner::upload(const FrameImage& image) {
+  const GlTexture& level0 = stages_.frame.levels.front();
+  if (const auto* texture = std::get_if<Texture>(&image))
+    return stages_.texture_upload.run(*texture, level0, state_policy_, commands_);
+  stages_.upload.run(*std::get_if<ImageViewU8>(&image), level0, commands_);
+  return Unit{};
+}
+
 Status GpuAligner::loadFrame(const FrameImage& image) {
-  const auto* luma = std::get_if<ImageViewU8>(&image);
-  if (luma == nullptr) return Error{ErrorCode::unsupported, "textures are not read yet"};
-  const ScopedGlState state(GlStatePolicy::preserve);
+  const GlVisit visit(&home_, state_policy_);
   commands_.beginStage(GpuStage::upload);
-  stages_.upload.run(*luma, stages_.frame.levels.front(), commands_);
+  Status uploaded = upload(image);
   commands_.endStage();
+  if (!uploaded) return uploaded;
   commands_.beginStage(GpuStage::pyramid);
   stages_.pyramid.run(stages_.frame, commands_);
   commands_.endStage();
@@ -103,7 +139,8 @@ Status GpuAligner::loadFrame(const FrameImage& image) {
 
 void GpuAligner::promoteReference(std::span<const AlignPoint> points_ref) {
   assert(has_frame_);
-  const ScopedGlState state(GlStatePolicy::preserve);
+  if (is_lost_) return;
+  const GlVisit visit(&home_, state_policy_);
   commands_.beginStage(GpuStage::precompute);
   bindConstants();
   stages_.plan->precompute(stages_.frame, points_ref, commands_);
@@ -115,7 +152,7 @@ AlignResult GpuAligner::align(const SE3d& T_cam_ref_guess) {
   AlignResult refused;
   refused.T_cam_ref = T_cam_ref_guess;
   if (!has_frame_ || !has_reference_) return refused;
-  const ScopedGlState state(GlStatePolicy::preserve);
+  const GlVisit visit(&home_, state_policy_);
   commands_.beginStage(GpuStage::track);
   bindConstants();
   stages_.alignment.start(T_cam_ref_guess);
@@ -125,6 +162,7 @@ AlignResult GpuAligner::align(const SE3d& T_cam_ref_guess) {
   const std::optional<GpuAlignState> finished = stages_.alignment.finish(commands_);
   commands_.endStage();
   timer_.collect();
+  is_lost_ = !finished.has_value();
   return finished ? toResult(*finished) : refused;
 }
 

@@ -25,9 +25,10 @@ Result<ChosenAligner> makeCpuAligner(const Config& config, const CameraModel& ca
 Result<ChosenAligner> makeGpuAligner(const Config& config, const CameraModel& camera) {
   const Result<GlCaps> caps = GlCaps::query();
   if (!caps) return caps.error();
-  if (config.backend == Backend::automatic && caps->is_software)
+  if (config.backend == Backend::automatic && caps->quirks.is_software)
     return Error{ErrorCode::unsupported, "the current GL is a software rasteriser"};
-  auto aligner = GpuAligner::create(*caps, config.direct, camera);
+  auto aligner = GpuAligner::createWith(
+      *caps, config.direct, camera, GpuTuning{}, {GpuTiming::passive, config.gl.state});
   if (!aligner) return aligner.error();
   ChosenAligner chosen;
   chosen.aligner = std::move(*aligner);

@@ -1,6 +1,18 @@
 #include "session/frame_reader.h"
 
+#include "base/stopwatch.h"
+
+#include <algorithm>
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <variant>
+
+#if defined(GLIDE_GLES)
+#include "gpu/gl_caps.h"
+#include "gpu/texture_placement.h"
+#include "gpu/texture_reader.h"
+#endif
 
 namespace glide {
 namespace {
@@ -13,6 +25,14 @@ std::string sizeText(int width, int height) {
 
 }  // namespace
 
+FrameReader::FrameReader(const Config& config, Backend backend)
+    : width_(config.camera.width),
+      height_(config.camera.height),
+      backend_(backend),
+      policy_(config.gl.state) {}
+
+FrameReader::~FrameReader() = default;
+
 Status FrameReader::checkLuma(const Luma& luma) const {
   if (luma.pixels == nullptr) return invalid("FrameInput.image.pixels is null");
   if (luma.width != width_ || luma.height != height_)
@@ -24,19 +44,105 @@ Status FrameReader::checkLuma(const Luma& luma) const {
 
 Status FrameReader::check(const Input& input) const {
   if (const auto* luma = std::get_if<Luma>(&input)) return checkLuma(*luma);
-  return Error{ErrorCode::unsupported, "FrameInput.image: textures are not read yet"};
+  if (const auto* texture = std::get_if<Texture>(&input)) return checkTexture(*texture);
+  const auto& buffer = *std::get_if<HardwareBuffer>(&input);
+  if (buffer.buffer == nullptr) return invalid("FrameInput.image.buffer is null");
+  return Unit{};
 }
 
 Status FrameReader::take(const Input& input) {
+  readback_ms_ = 0.0;
+  is_read_ = false;
   Status valid = check(input);
   if (!valid) return valid;
+  if (const auto* texture = std::get_if<Texture>(&input)) return takeTexture(*texture);
+  if (const auto* buffer = std::get_if<HardwareBuffer>(&input)) return takeBuffer(*buffer);
   const Luma& luma = *std::get_if<Luma>(&input);
   image_ = ImageViewU8{luma.pixels, luma.width, luma.height, luma.stride};
   return Unit{};
 }
 
-FrameImage FrameReader::image() { return image_; }
+FrameImage FrameReader::image() {
+  if (backend_ == Backend::cpu) return luma();
+  return image_;
+}
 
-ImageViewU8 FrameReader::luma() { return *std::get_if<ImageViewU8>(&image_); }
+ImageViewU8 FrameReader::luma() {
+  const auto* texture = std::get_if<Texture>(&image_);
+  if (texture == nullptr) return *std::get_if<ImageViewU8>(&image_);
+  if (!is_read_) {
+    Stopwatch watch;
+    read(*texture);
+    is_read_ = true;
+    readback_ms_ = watch.lapMs();
+  }
+  return bytes_.view();
+}
+
+#if defined(GLIDE_GLES)
+struct FrameReader::Gl {
+  std::unique_ptr<TextureReader> reader;
+};
+
+Status FrameReader::checkTexture(const Texture& texture) const {
+  return checkPlacement(texture, {width_, height_});
+}
+
+Status FrameReader::ensureGl() {
+  if (gl_ && gl_->reader->isUsable()) return Unit{};
+  gl_.reset();
+  const Result<GlCaps> caps = GlCaps::query();
+  if (!caps)
+    return Error{caps.error().code, "FrameInput.image is a texture: " + caps.error().message};
+  auto reader = TextureReader::create(*caps, {width_, height_}, policy_);
+  if (!reader) return reader.error();
+  gl_ = std::make_unique<Gl>(Gl{std::move(*reader)});
+  return Unit{};
+}
+
+Status FrameReader::takeTexture(const Texture& texture) {
+  Status ready = ensureGl();
+  if (ready) ready = gl_->reader->check(texture);
+  if (ready) image_ = texture;
+  return ready;
+}
+
+Status FrameReader::takeBuffer(const HardwareBuffer& buffer) {
+  const Status ready = ensureGl();
+  if (!ready) return ready;
+  const Result<Texture> texture = gl_->reader->import(buffer);
+  return texture ? takeTexture(*texture) : Status(texture.error());
+}
+
+void FrameReader::read(const Texture& texture) {
+  if (gl_->reader->read(texture, &bytes_)) return;
+  for (int y = 0; y < height_; ++y) std::fill_n(bytes_.row(y), width_, std::uint8_t{0});
+}
+
+void FrameReader::releaseGl() { gl_.reset(); }
+
+void FrameReader::abandonGl() {
+  if (gl_) gl_->reader->abandon();
+  gl_.reset();
+}
+#else
+struct FrameReader::Gl {};
+
+namespace {
+Error noGles() {
+  return {
+      ErrorCode::unsupported,
+      "FrameInput.image: this build has no OpenGL ES (GLIDE_GLES=OFF), textures cannot be read"};
+}
+}  // namespace
+
+Status FrameReader::checkTexture(const Texture&) const { return noGles(); }
+Status FrameReader::ensureGl() { return noGles(); }
+Status FrameReader::takeTexture(const Texture&) { return noGles(); }
+Status FrameReader::takeBuffer(const HardwareBuffer&) { return noGles(); }
+void FrameReader::read(const Texture&) {}
+void FrameReader::releaseGl() {}
+void FrameReader::abandonGl() {}
+#endif
 
 }  // namespace glide

@@ -22,14 +22,27 @@ struct Family {
 std::vector<Family> families() {
   const Axis group_size{"GROUP_SIZE", {32, 64, 128}};  // GpuTuning::group_size
   const Axis group_rows{"GROUP_ROWS", {1, 2, 4}};      // of 32 invocations: the same group sizes
+  const Axis external{"EXTERNAL_TEXTURE", {0, 1}};     // TexturePass
   const Axis patch_size{"PATCH_SIZE", {7, 11}};        // of TUM's and EuRoC's images in the paper
   const Axis camera_model{"CAMERA_MODEL", {0, 1, 2}};  // alignDefines()
-  const Axis strip_rows{"STRIP_ROWS", {4}};
-  return {{"align_precompute.comp", {group_size, patch_size, camera_model}},
+  return {{"align_coarse.comp", {group_size, patch_size, camera_model}},
+          {"align_precompute.comp", {group_size, patch_size, camera_model}},
           {"align_residual.comp", {group_size, patch_size, camera_model}},
           {"align_solve.comp", {group_size, patch_size}},
           {"luma_to_float.comp", {group_rows}},
-          {"pyramid_down.comp", {group_rows, strip_rows}}};
+          {"paper_hessian.comp", {group_size, patch_size}},
+          {"paper_precompute.comp", {group_size, patch_size, camera_model}},
+          {"paper_reduce.comp", {group_size, patch_size}},
+          {"paper_residual.comp", {group_size, patch_size, camera_model}},
+          {"paper_solve.comp", {group_size, patch_size}},
+          {"texture_to_bytes.comp", {group_rows, external}},
+          {"texture_to_float.comp", {group_rows, external}},
+          {"external_to_grey.vert", {}},
+          {"external_to_grey.frag", {}},
+          {"pyramid_blur_columns.comp", {group_rows}},
+          {"pyramid_blur_rows.comp", {group_rows}},
+          {"pyramid_strip.comp", {group_rows}},
+          {"pyramid_tile.comp", {group_rows}}};
 }
 
 /// All combinations of the values of `axes`.

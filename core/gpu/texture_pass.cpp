@@ -1,0 +1,190 @@
+#include "gpu/texture_pass.h"
+
+#include "gpu/luma_weights.h"
+
+#include <utility>
+
+namespace glide {
+namespace {
+
+constexpr int kGroupWidth = 32;  // local_size_x of the kernels
+
+// layout(location) of shaders/texture_source.glsl
+constexpr GLint kOrigin = 0, kPerColumn = 1, kPerRow = 2, kWeights = 3;
+
+Error invalid(const std::string& what) {
+  return {ErrorCode::invalid_argument, "FrameInput.image" + what};
+}
+
+GlSampler makeSampler(GLint filter) {
+  GLuint name = 0;
+  glGenSamplers(1, &name);
+  glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
+  glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
+  glSamplerParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glSamplerParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return GlSampler(name);
+}
+
+GLint levelParameter(GLenum query) {
+  GLint value = 0;
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, query, &value);
+  return value;
+}
+
+/// Whether the texture, which exists, is of that target. When not, the GL error is the app's.
+bool isOfTarget(const Texture& texture, GLenum binding) {
+  GLint bound = 0;
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(texture.target, texture.name);
+  glGetIntegerv(binding, &bound);
+  return static_cast<GLuint>(bound) == texture.name;
+}
+
+Error wrongTarget(const Texture& texture, const char* target) {
+  return invalid(".name " + std::to_string(texture.name) + " is not a texture of target " + target);
+}
+
+Status checkExternal(const Texture& texture, GlStatePolicy policy) {
+  const ScopedTextureBinding binding(
+      policy, GL_TEXTURE_EXTERNAL_OES, GL_TEXTURE_BINDING_EXTERNAL_OES);
+  if (!isOfTarget(texture, GL_TEXTURE_BINDING_EXTERNAL_OES))
+    return wrongTarget(texture, "GL_TEXTURE_EXTERNAL_OES");
+  return Unit{};
+}
+
+Status checkPlain(const Texture& texture) {
+  if (!isOfTarget(texture, GL_TEXTURE_BINDING_2D)) return wrongTarget(texture, "GL_TEXTURE_2D");
+  const std::string name = std::to_string(texture.name);
+  const GLint width = levelParameter(GL_TEXTURE_WIDTH);
+  const GLint height = levelParameter(GL_TEXTURE_HEIGHT);
+  if (width != texture.width || height != texture.height)
+    return invalid(".name " + name + " is a texture of " + std::to_string(width) + "x" +
+                   std::to_string(height) + ", not " + std::to_string(texture.width) + "x" +
+                   std::to_string(texture.height));
+  const GLint type = levelParameter(GL_TEXTURE_RED_TYPE);
+  if (type == GL_INT || type == GL_UNSIGNED_INT)
+    return invalid(".name " + name + " holds integers, which cannot be sampled as grey levels");
+  return Unit{};
+}
+
+/// Which of the colours of the texture that is bound to GL_TEXTURE_2D of unit 0 make the luma.
+const std::array<float, 3>& boundWeights() {
+  return levelParameter(GL_TEXTURE_GREEN_SIZE) > 0 ? kColourWeights : kGreyWeights;
+}
+
+void setUniforms(const TexturePlacement& place, const std::array<float, 3>& weights) {
+  glUniform2fv(kOrigin, 1, place.origin.data());
+  glUniform2fv(kPerColumn, 1, place.per_column.data());
+  glUniform2fv(kPerRow, 1, place.per_row.data());
+  glUniform3fv(kWeights, 1, weights.data());
+}
+
+bool isSame(const Texture& a, const Texture& b) {
+  return a.name == b.name && a.target == b.target && a.width == b.width && a.height == b.height;
+}
+
+}  // namespace
+
+TexturePass::TexturePass(std::string kernel, const GlCaps& caps, FrameSize frame, int group_size)
+    : kernel_(std::move(kernel)),
+      samples_external_(caps.has_external_essl3),
+      draws_external_(caps.has_external),
+      frame_(frame),
+      group_size_(group_size) {}
+
+bool TexturePass::isPrepared(const Texture& texture) const {
+  return isSame(texture, prepared_) && glIsTexture(texture.name) == GL_TRUE;
+}
+
+Status TexturePass::prepare(const Texture& texture, GlStatePolicy policy) {
+  prepared_ = Texture();
+  if (glIsTexture(texture.name) != GL_TRUE)
+    return invalid(".name " + std::to_string(texture.name) +
+                   " is no texture of the current context");
+  const bool external = texture.target == GL_TEXTURE_EXTERNAL_OES;
+  if (external && !samples_external_ && !draws_external_)
+    return Error{ErrorCode::unsupported,
+                 "FrameInput.image: this OpenGL ES has neither GL_OES_EGL_image_external_essl3 nor "
+                 "GL_OES_EGL_image_external"};
+  Status checked = external ? checkExternal(texture, policy) : checkPlain(texture);
+  if (checked) checked = prepareSamplers();
+  if (checked) checked = prepareProgram(external);
+  if (checked) prepared_ = texture;
+  return checked;
+}
+
+Status TexturePass::prepareSamplers() {
+  if (nearest_.get() != 0) return Unit{};
+  nearest_ = makeSampler(GL_NEAREST);
+  linear_ = makeSampler(GL_LINEAR);
+  if (nearest_.get() == 0 || linear_.get() == 0) return outOfMemory("a sampler object");
+  return Unit{};
+}
+
+Status TexturePass::prepareProgram(bool external) {
+  const bool is_sampled = external && samples_external_;
+  if (external && !is_sampled && !draw_) {
+    Result<ExternalDraw> draw = ExternalDraw::create(frame_);
+    if (!draw) return draw.error();
+    draw_ = std::move(*draw);
+  }
+  std::optional<ComputeProgram>& program = is_sampled ? external_ : plain_;
+  if (program) return Unit{};
+  Result<ComputeProgram> built = ComputeProgram::create(
+      kernel_,
+      {{"EXTERNAL_TEXTURE", is_sampled ? 1 : 0}, {"GROUP_ROWS", group_size_ / kGroupWidth}});
+  if (!built) return built.error();
+  program = std::move(*built);
+  return Unit{};
+}
+
+void TexturePass::bind(const Texture& texture,
+                       GlStatePolicy policy,
+                       TextureBinding* binding) const {
+  glActiveTexture(GL_TEXTURE0);
+  if (texture.target != GL_TEXTURE_EXTERNAL_OES) {
+    bindPlain(texture);
+  } else if (samples_external_) {
+    bindExternal(texture, policy, binding);
+  } else {
+    bindDrawn(texture, policy);
+  }
+}
+
+void TexturePass::bindPlain(const Texture& texture) const {
+  const TexturePlacement place = placeTexture(texture, frame_);
+  glBindTexture(GL_TEXTURE_2D, texture.name);
+  glBindSampler(0, place.hits_texels ? nearest_.get() : linear_.get());
+  plain_->use();
+  setUniforms(place, boundWeights());
+}
+
+void TexturePass::bindExternal(const Texture& texture,
+                               GlStatePolicy policy,
+                               TextureBinding* binding) const {
+  const TexturePlacement place = placeTexture(texture, frame_);
+  binding->external.emplace(policy, GL_TEXTURE_EXTERNAL_OES, GL_TEXTURE_BINDING_EXTERNAL_OES);
+  glBindTexture(GL_TEXTURE_EXTERNAL_OES, texture.name);
+  glBindSampler(0, place.hits_texels ? nearest_.get() : linear_.get());
+  external_->use();
+  setUniforms(place, kColourWeights);
+}
+
+void TexturePass::bindDrawn(const Texture& texture, GlStatePolicy policy) const {
+  const TexturePlacement place = placeTexture(texture, frame_);
+  glBindSampler(0, place.hits_texels ? nearest_.get() : linear_.get());
+  draw_->run(texture.name, place, policy);
+  const Texture drawn{
+      draw_->target().get(), GL_TEXTURE_2D, frame_.width, frame_.height, kUpperRowFirst};
+  bindPlain(drawn);
+}
+
+void TexturePass::abandon() {
+  if (plain_) plain_->abandon();
+  if (external_) external_->abandon();
+  if (draw_) draw_->abandon();
+  abandonAll(nearest_, linear_);
+}
+
+}  // namespace glide

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "gpu/compute_program.h"
+#include "gpu/external_draw.h"
+#include "gpu/gl_caps.h"
+#include "gpu/gl_state.h"
+#include "gpu/texture_placement.h"
+
+#include <optional>
+#include <string>
+
+namespace glide {
+
+/// What of unit 0 other kernels would stumble over: a sampler object, and an external texture.
+struct TextureBinding {
+  TextureBinding() = default;
+  ~TextureBinding() { glBindSampler(0, 0); }
+  TextureBinding(const TextureBinding&) = delete;
+  TextureBinding& operator=(const TextureBinding&) = delete;
+
+  std::optional<ScopedTextureBinding> external;
+};
+
+/// A compute kernel over the frame that an app's texture shows (shaders/texture_source.glsl). What
+/// a kind of texture needs is built when the first of it comes: most apps pass one kind, or none.
+/// An external texture is sampled by the kernel where ESSL 3 can do that, else drawn into one of
+/// ours first (ExternalDraw). All calls are made inside of a ScopedGlState.
+class TexturePass {
+ public:
+  /// Of shaders/`kernel`. Makes no GL call.
+  TexturePass(std::string kernel, const GlCaps& caps, FrameSize frame, int group_size);
+
+  /// Whether prepare() has seen this texture last, and it still exists: a cheap question.
+  bool isPrepared(const Texture& texture) const;
+  /// Looks at the texture, which passed checkPlacement, and builds what it needs.
+  /// invalid_argument or unsupported naming what is wrong with the texture, gl when a shader does
+  /// not build.
+  Status prepare(const Texture& texture, GlStatePolicy policy);
+
+  /// Binds the texture that was prepared to unit 0, and the program with its uniforms; the caller
+  /// dispatches before `binding` dies.
+  void bind(const Texture& texture, GlStatePolicy policy, TextureBinding* binding) const;
+
+  FrameSize frame() const { return frame_; }
+  int groupSize() const { return group_size_; }
+  void abandon();
+
+ private:
+  Status prepareProgram(bool external);
+  Status prepareSamplers();
+  void bindPlain(const Texture& texture) const;
+  void bindExternal(const Texture& texture, GlStatePolicy policy, TextureBinding* binding) const;
+  void bindDrawn(const Texture& texture, GlStatePolicy policy) const;
+
+  std::string kernel_;
+  bool samples_external_, draws_external_;  ///< which way to external textures there is
+  FrameSize frame_;
+  int group_size_;
+  std::optional<ComputeProgram> plain_, external_;
+  std::optional<ExternalDraw> draw_;
+  GlSampler nearest_, linear_;
+  Texture prepared_;
+};
+
+}  // namespace glide
