@@ -1,6 +1,7 @@
 #include "mapping/new_landmarks.h"
 
 #include "mapping/epipolar_search.h"
+#include "mapping/witnesses.h"
 
 #include "map/feature_refinement.h"
 
@@ -59,25 +60,27 @@ std::optional<Vec3d> locate(MapperState* state,
   return p_a;
 }
 
+struct Located {
+  Vec3d p_a;
+  std::optional<FeatureMove> move;  // of a's feature
+};
+
 // Point in camera a from the corners as found, then with a's corner aligned to b's patch: depth
 // from a short baseline needs both to be the same spot to a tenth of a pixel.
-std::optional<Vec3d> locateAligned(MapperState* state,
-                                   const Pair& pair,
-                                   const Match& match,
-                                   std::vector<FeatureMove>* moves) {
+std::optional<Located> locateAligned(MapperState* state, const Pair& pair, const Match& match) {
   const auto i = static_cast<std::size_t>(match.a);
   const Vec2d uv_a = pair.a.features->feature(i).uv.cast<double>();
-  std::optional<Vec3d> p_a = locate(state, pair, match, uv_a);
+  const std::optional<Vec3d> p_a = locate(state, pair, match, uv_a);
   if (!p_a) return std::nullopt;
   const std::optional<FeatureMove> move =
       refineFeature({&state->camera, &state->map.levels()},
                     {pair.b.features.get(), match.b, pair.b.T_cam_world},
                     {pair.a.features.get(), match.a, pair.a.T_cam_world},
                     pair.a.T_cam_world.inverse() * *p_a);
-  if (!move) return p_a;
-  std::optional<Vec3d> p_aligned = locate(state, pair, match, move->uv.cast<double>());
-  if (p_aligned) moves->push_back(*move);
-  return p_aligned;
+  if (!move) return Located{*p_a, std::nullopt};
+  const std::optional<Vec3d> p_aligned = locate(state, pair, match, move->uv.cast<double>());
+  if (!p_aligned) return std::nullopt;
+  return Located{*p_aligned, move};
 }
 
 struct Creation {
@@ -102,10 +105,14 @@ void createWithNeighbor(MapperState* state, KeyframeId id_a, KeyframeId id_b, Cr
                                                               T_b_a,
                                                               options,
                                                               state->map.levels());
+  const Witnesses witnesses(*state, a, b);
   for (const Match& match : matches) {
-    const std::optional<Vec3d> p_a = locateAligned(state, {a, b, T_b_a}, match, &creation->moves);
-    if (!p_a) continue;
-    const LandmarkId landmark = state->map.addLandmark(T_world_a * *p_a, id_a);
+    const std::optional<Located> located = locateAligned(state, {a, b, T_b_a}, match);
+    if (!located) continue;
+    const Vec3d p_world = T_world_a * located->p_a;
+    if (!witnesses.agree(p_world, match.a)) continue;
+    if (located->move) creation->moves.push_back(*located->move);
+    const LandmarkId landmark = state->map.addLandmark(p_world, id_a);
     state->map.addObservation(landmark, {id_a, match.a});
     state->map.addObservation(landmark, {id_b, match.b});
     creation->landmarks.push_back(landmark);

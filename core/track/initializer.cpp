@@ -11,12 +11,6 @@
 namespace glide {
 namespace {
 
-// How far a feature may have moved from where it was seen last: frame-to-frame motion, not the sum.
-constexpr float kWindow_px = 100.0F;
-// Only features of the finest levels take part: they are located best.
-constexpr int kMaxLevel = 1;
-constexpr MatchOptions kMatch{50, 0.9, true};
-
 /// Turn of the image from the first set to the other: the median over the matches.
 Eigen::Matrix2f rotationBetween(const FeatureSet& first,
                                 const FeatureSet& now,
@@ -45,29 +39,21 @@ void normaliseDepth(double median_depth, InitialMap* map) {
 Initializer::Initializer(const Config& config, const CameraModel& camera)
     : config_(config),
       camera_(camera),
-      levels_(config.features.scale_factor, config.features.levels) {}
+      levels_(config.features.scale_factor, config.features.levels),
+      tracks_(camera) {}
 
 void Initializer::reset() {
   first_ = InitialMap::View();
+  tracks_.reset();
   progress_ = InitializationProgress();
 }
 
 void Initializer::start(std::int64_t t_ns, std::shared_ptr<const FeatureSet> features) {
   first_ = InitialMap::View();
   first_.t_ns = t_ns;
-  predicted_uv_.clear();
-  for (const Feature& feature : features->features()) predicted_uv_.push_back(feature.uv);
-  first_.features = std::move(features);
+  first_.features = features;
+  tracks_.start(std::move(features));
   age_frames_ = 0;
-}
-
-std::vector<Match> Initializer::matchToFirst(const FeatureSet& features) {
-  std::vector<Match> matches =
-      matchInWindow(*first_.features, predicted_uv_, features, {kMatch, kWindow_px, kMaxLevel});
-  for (const Match& match : matches)
-    predicted_uv_[static_cast<std::size_t>(match.a)] =
-        features.feature(static_cast<std::size_t>(match.b)).uv;
-  return matches;
 }
 
 std::vector<FeatureMove> Initializer::alignMatches(const FeatureSet& features,
@@ -102,7 +88,7 @@ std::optional<InitialMap> Initializer::update(std::int64_t t_ns,
     progress_.status = InitializationStatus::too_little_motion;
     return std::nullopt;
   }
-  const std::vector<Match> matches = matchToFirst(*features);
+  const std::vector<Match> matches = tracks_.follow(*features);
   progress_.matches = static_cast<int>(matches.size());
   if (progress_.matches < options.min_matches) {
     start(t_ns, std::move(features));

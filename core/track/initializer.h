@@ -1,6 +1,7 @@
 #pragma once
 
-#include "feature/matcher.h"
+#include "track/start_tracks.h"
+
 #include "map/landmark.h"
 #include "map/messages.h"
 
@@ -31,7 +32,6 @@ class Initializer {
 
  private:
   void start(std::int64_t t_ns, std::shared_ptr<const FeatureSet> features);
-  std::vector<Match> matchToFirst(const FeatureSet& features);
   std::vector<FeatureMove> alignMatches(const FeatureSet& features,
                                         const std::vector<Match>& matches) const;
   void report(const TwoViewResult& result);
@@ -43,7 +43,7 @@ class Initializer {
   CameraModel camera_;
   ScaleLevels levels_;
   InitialMap::View first_;
-  std::vector<Vec2f> predicted_uv_;  ///< where each feature of the first view was seen last
+  StartTracks tracks_;
   int age_frames_ = 0;
   InitializationProgress progress_;
 };
