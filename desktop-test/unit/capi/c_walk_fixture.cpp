@@ -1,0 +1,50 @@
+#include "unit/capi/c_walk_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace glide::test {
+namespace {
+constexpr std::int64_t kFrame_ns = 33'333'333;
+constexpr double kStep_m = 0.01;
+}  // namespace
+
+CWalk::CWalk(std::int32_t axes) : config_(sized<glide_config>()) {
+  const CameraIntrinsics camera = sequence_.config().camera;
+  config_.backend = GLIDE_BACKEND_CPU;
+  config_.execution = GLIDE_EXECUTION_INLINE;
+  config_.axes = axes;
+  config_.setting_count = static_cast<std::uint32_t>(settings_.size());
+  config_.settings = settings_.data();
+  config_.camera.width = camera.width;
+  config_.camera.height = camera.height;
+  config_.camera.fx = camera.fx;
+  config_.camera.fy = camera.fy;
+  config_.camera.cx = camera.cx;
+  config_.camera.cy = camera.cy;
+  EXPECT_EQ(glide_session_create(&config_, &session_), GLIDE_OK) << glide_last_error();
+}
+
+CWalk::~CWalk() { glide_session_destroy(session_); }
+
+glide_frame CWalk::feed(const ImageU8& image) {
+  glide_image input = sized<glide_image>();
+  input.kind = GLIDE_IMAGE_LUMA8;
+  input.t_ns = t_ns_ += kFrame_ns;
+  input.width = image.width();
+  input.height = image.height();
+  input.pixels = image.row(0);
+  input.row_stride = image.stride();
+  glide_frame frame = sized<glide_frame>();
+  status_ = glide_session_update(session_, &input, &frame);
+  return frame;
+}
+
+glide_frame CWalk::feed(double x) { return feed(sequence_.imageAt(x)); }
+
+glide_frame CWalk::walk(int count) {
+  glide_frame frame{};
+  for (; fed_ < count; ++fed_) frame = feed(fed_ * kStep_m);
+  return frame;
+}
+
+}  // namespace glide::test
