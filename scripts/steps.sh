@@ -89,6 +89,7 @@ program() {
     glide-replay) echo "$root/build/release/desktop-test/replay/glide-replay" ;;
     glide-synth) echo "$root/build/release/desktop-test/synthetic/glide-synth" ;;
     glide-growth) echo "$root/build/release/desktop-test/suites/glide-growth" ;;
+    glide-gpu-bench) echo "$root/build/release/desktop-test/bench/gpu/glide-gpu-bench" ;;
     glide_bench) echo "$root/build/release/desktop-test/bench/glide_bench" ;;
   esac
 }

@@ -1,0 +1,87 @@
+#include "bench/gpu/plan_run.h"
+
+namespace glide::gpubench {
+namespace {
+
+/// Patch errors stay below: every weight is one.
+constexpr double kNoWeights = 100.0;  // grey levels
+
+Config::Direct directOf(const Workload& workload, const PlanRun::Spec& spec) {
+  Config::Direct direct;
+  direct.patch_size = workload.patch;
+  direct.levels = workload.levels;
+  direct.max_points = workload.points;
+  if (spec.maths == Maths::unweighted || spec.plan == GpuPlan::paper) {
+    direct.hessian = HessianMode::constant;
+    direct.photometric = PhotometricModel::none;
+    direct.huber_floor = kNoWeights;
+  }
+  return direct;
+}
+
+GpuTuning tuningOf(GpuPlan plan) {
+  GpuTuning tuning;
+  tuning.plan = plan;
+  if (plan == GpuPlan::paper) tuning.pyramid = PyramidKernel::two_pass;
+  return tuning;
+}
+
+}  // namespace
+
+Result<PlanRun> PlanRun::create(const GlCaps& caps,
+                                const Workload& workload,
+                                const BenchScene& scene,
+                                const Spec& spec) {
+  auto aligner = GpuAligner::createWith(caps,
+                                        directOf(workload, spec),
+                                        scene.camera,
+                                        tuningOf(spec.plan),
+                                        {spec.timing, GlStatePolicy::preserve});
+  if (!aligner) return aligner.error();
+  return PlanRun(std::move(*aligner), workload, scene, spec);
+}
+
+PlanRun::PlanRun(std::unique_ptr<GpuAligner> aligner,
+                 const Workload& workload,
+                 const BenchScene& scene,
+                 const Spec& spec)
+    : aligner_(std::move(aligner)), workload_(workload), scene_(&scene), spec_(spec) {}
+
+void PlanRun::frame(int index) {
+  const std::size_t view = static_cast<std::size_t>(index) % scene_->frames.size();
+  aligner_->loadFrame(scene_->reference.view());
+  aligner_->promoteReference(scene_->points_ref);
+  aligner_->loadFrame(scene_->frames[view].view());
+  result_ = aligner_->align(SE3d{});
+  const GpuTimer& timer = aligner_->stageTimes();
+  double frame_ms = 0.0;
+  for (std::size_t s = 0; s < kGpuStages; ++s) {
+    const auto stage = static_cast<GpuStage>(s);
+    stage_ms_[s].push_back(timer.stageMs(stage));
+    if (stage != GpuStage::precompute) frame_ms += timer.stageMs(stage);
+  }
+  frame_ms_.push_back(frame_ms);
+  for (std::size_t level = 0; level < level_ms_.size(); ++level) {
+    level_ms_[level].push_back(timer.levelMs(static_cast<int>(level)));
+    iterations_[level] += result_.iterations[level];
+  }
+}
+
+void PlanRun::restart() {
+  for (std::vector<double>& times : stage_ms_) times.clear();
+  for (std::vector<double>& times : level_ms_) times.clear();
+  frame_ms_.clear();
+  iterations_ = {};
+}
+
+PerLevel PlanRun::iterations() const {
+  PerLevel mean = iterations_;
+  for (double& sum : mean) sum /= static_cast<double>(frame_ms_.size());
+  return mean;
+}
+
+std::array<Traffic, kGpuStages> PlanRun::traffic() const {
+  return countTraffic(workload_, {spec_.plan, pointsOfLevels(*scene_, workload_), iterations()});
+}
+
+}  // namespace glide::gpubench
