@@ -2,183 +2,24 @@
 // Second half of one iteration, in ONE workgroup (photometric-alignment.md, "Per iteration", steps 1-7):
 // gain and bias, scale, weights, normal equations, 6x6 Cholesky, pose update, end of the level.
 //   in      buffer 0   PointRecord per point
-//           buffer 2   PointSums per point
-//   in/out  buffer 1   weight and patch error per point
+//   in/out  buffer 2   PointSums per point: its weight and patch error are written
 //           buffer 3   AlignState
-//   one workgroup of GROUP_SIZE; invocation i owns the points i, i + GROUP_SIZE, ...
-// Sums are taken in a fixed order, so that a result repeats: each invocation over its own points, then
-// invocation k over the partial sums of quantity k. That is two barriers a reduction; a tree would be six.
+//   one workgroup of GROUP_SIZE
+//   shared 16.1 kB at 128 invocations
 #include "common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 #include "align_types.glsl"
 #include "rigid.glsl"
 layout(std430, binding = 0) readonly buffer Records { PointRecord records[]; };
-layout(std430, binding = 1) buffer Weights { vec2 weight_error[]; };
-layout(std430, binding = 2) readonly buffer Sums { PointSums sums[]; };
+layout(std430, binding = 2) buffer Sums { PointSums sums[]; };
 layout(std430, binding = 3) buffer State { AlignState state; };
 layout(location = 0) uniform int point_count;
 layout(location = 1) uniform int level;
-
-const int kEquationSums = 31;  // H 21, b 6, w rho, w, inliers, contrast; at most GROUP_SIZE
-const int kRowStride = GROUP_SIZE + 1;  // odd: the readers of a column touch different banks
-const float kMinGain = 0.2;
-const float kMaxGain = 5.0;
-
-shared float partial[kEquationSums * kRowStride];
-shared float total[kEquationSums];
-
-#include "align_step.glsl"
-
-// partial[k][all invocations] -> total[k] for k < count.
-void reduce(int count) {
-  memoryBarrierShared();
-  barrier();
-  int k = int(gl_LocalInvocationID.x);
-  if (k < count) {
-    float sum = 0.0;
-    for (int i = 0; i < GROUP_SIZE; ++i) sum += partial[k * kRowStride + i];
-    total[k] = sum;
-  }
-  memoryBarrierShared();
-  barrier();
-}
-
-void putPartial(int k, float value) { partial[k * kRowStride + int(gl_LocalInvocationID.x)] = value; }
-
-// The weights of the previous iteration; all are one when a new alignment starts.
-float oldWeight(int point) { return state.flow.y != 0 ? weight_error[point].x : 1.0; }
-
-struct Exposure {
-  float gain;
-  float bias;
-  float weight;  // sum of the old weights of the visible points
-  int points;    // valid ones
-  int visible;
-};
-
-// Step 1.
-Exposure estimateExposure() {
-  float part[7] = float[7](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-  float n = float(kPatchPixels);
-  for (int i = int(gl_LocalInvocationID.x); i < point_count; i += GROUP_SIZE) {
-    int at = recordIndex(level, i);
-    part[0] += records[at].p_ref.w;
-    if (sums[i].rest.y < 0.5) continue;
-    float w = oldWeight(i);
-    vec4 intensity = sums[i].intensity;
-    vec4 moments = records[at].moments;
-    part[1] += 1.0;
-    part[2] += w * (intensity.y - intensity.x * intensity.x / n);
-    part[3] += w * moments.y;
-    part[4] += w * (intensity.x / n + moments.x);
-    part[5] += w * moments.x;
-    part[6] += w;
-  }
-  for (int k = 0; k < 7; ++k) putPartial(k, part[k]);
-  reduce(7);
-  Exposure result = Exposure(1.0, 0.0, total[6], int(total[0]), int(total[1]));
-  if (constants.limits.z != 0 && total[3] > 0.0) {
-    result.gain = clamp(sqrt(max(total[2], 0.0) / total[3]), kMinGain, kMaxGain);
-    result.bias = (total[4] - result.gain * total[5]) / total[6];
-  }
-  return result;
-}
-
-// Step 2: sum r^2, sum gx r, sum gy r of a visible point.
-vec3 residualSums(int point, Exposure exposure) {
-  int at = recordIndex(level, point);
-  vec4 moments = records[at].moments;
-  vec4 gradients = records[at].gradients;
-  vec4 s = sums[point].intensity;
-  float c = moments.x - exposure.bias - exposure.gain * moments.x;
-  float a = exposure.gain;
-  float squares = (s.y + 2.0 * c * s.x + float(kPatchPixels) * c * c) / (a * a) - 2.0 * s.z / a + moments.y;
-  vec2 along = (vec2(s.w, sums[point].rest.x) + c * gradients.xy) / a - moments.zw;
-  return vec3(squares, along);
-}
-
-// Steps 2 and 3: the patch errors, and the Huber threshold.
-float huberThreshold(Exposure exposure) {
-  float weighted = 0.0;
-  for (int i = int(gl_LocalInvocationID.x); i < point_count; i += GROUP_SIZE) {
-    float w = oldWeight(i);
-    float rho = 0.0;
-    if (sums[i].rest.y > 0.5) {
-      rho = sqrt(max(residualSums(i, exposure).x, 0.0) / float(kPatchPixels));
-      weighted += w * rho;
-    }
-    weight_error[i] = vec2(w, rho);
-  }
-  putPartial(0, weighted);
-  reduce(1);
-  return max(constants.robust.x * total[0] / exposure.weight, constants.robust.y);
-}
-
-void accumulatePoint(int point, Exposure exposure, float weight, inout float part[kEquationSums]) {
-  PointRecord record = records[recordIndex(level, point)];
-  float jx[6] = float[6](record.jx_head.x, record.jx_head.y, record.jx_head.z, record.jx_head.w,
-                         record.jx_jy.x, record.jx_jy.y);
-  float jy[6] = float[6](record.jx_jy.z, record.jx_jy.w, record.jy_tail.x, record.jy_tail.y,
-                         record.jy_tail.z, record.jy_tail.w);
-  bool visible = sums[point].rest.y > 0.5;
-  vec2 along = visible ? weight * residualSums(point, exposure).yz : vec2(0.0);
-  float hessian_weight = constants.limits.w != 0 ? 1.0 : (visible ? weight : 0.0);
-  vec2 row_x = hessian_weight * record.gradients.zw;                        // Gxx Gxy
-  vec2 row_y = hessian_weight * vec2(record.gradients.w, record.rest.x);  // Gxy Gyy
-  int k = 0;
-  for (int r = 0; r < 6; ++r) {
-    vec2 left = jx[r] * row_x + jy[r] * row_y;
-    for (int c = 0; c <= r; ++c) part[k++] += left.x * jx[c] + left.y * jy[c];
-    part[21 + r] += jx[r] * along.x + jy[r] * along.y;
-  }
-}
-
-// Steps 4 and 5: new weights; total = H, b and the numbers that are reported.
-void formEquations(Exposure exposure, float threshold) {
-  float part[kEquationSums];
-  for (int k = 0; k < kEquationSums; ++k) part[k] = 0.0;
-  for (int i = int(gl_LocalInvocationID.x); i < point_count; i += GROUP_SIZE) {
-    int at = recordIndex(level, i);
-    if (records[at].p_ref.w < 0.5) continue;
-    float weight = weight_error[i].x;
-    if (sums[i].rest.y > 0.5) {
-      float rho = weight_error[i].y;
-      bool inlier = rho <= threshold;
-      weight = inlier || constants.limits.w != 0 ? 1.0 : threshold / rho;
-      weight_error[i].x = weight;
-      part[27] += weight * rho;
-      part[28] += weight;
-      part[29] += inlier ? 1.0 : 0.0;
-      part[30] += sqrt(records[at].moments.y / float(kPatchPixels));
-    }
-    accumulatePoint(i, exposure, weight, part);
-  }
-  for (int k = 0; k < kEquationSums; ++k) putPartial(k, part[k]);
-  reduce(kEquationSums);
-}
-
-void report(Exposure exposure) {
-  state.photometric = vec4(exposure.gain, exposure.bias, total[27] / total[28], total[30] / float(exposure.visible));
-  state.counts.xyz = ivec3(exposure.points, exposure.visible, int(total[29]));
-  state.flow.y = 1;
-  state.iterations[level] += 1;
-  for (int k = 0; k < 21; ++k) state.hessian[k] = total[k];
-}
+layout(location = 2) uniform int all_points;
+#include "align_equations.glsl"
 
 void main() {
-  bool ended = state.counts.w != 0 || state.flow.x == level;
-  if (ended) return;
-  bool first = gl_LocalInvocationID.x == 0u;
-  Exposure exposure = estimateExposure();
-  if (exposure.visible < constants.limits.y) {  // covers too few valid points: visible ones are valid
-    if (!first) return;
-    state.flow.x = level;
-    if (level == 0) state.counts = ivec4(exposure.points, exposure.visible, 0, 1);
-    return;
-  }
-  float threshold = huberThreshold(exposure);
-  formEquations(exposure, threshold);
-  if (!first) return;
-  report(exposure);
-  if (takeStep() < constants.robust.z) state.flow.x = level;  // steps 6 and 7
+  if (state.counts.w != 0 || state.flow.x == level) return;
+  has_weights = state.flow.y != 0;
+  iterate();
 }

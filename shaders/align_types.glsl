@@ -24,10 +24,10 @@ struct PointRecord {
   vec4 rest;       // Gyy, 0, 0, 0
 };
 
-// What the residual kernel hands to the solve kernel, per point.
+// A point in an alignment: what its patch sums up to at the current pose, and what the iterations carry.
 struct PointSums {
   vec4 intensity;  // S1, S2, Sc, Sx
-  vec4 rest;       // Sy, 1 when visible, 0, 0
+  vec4 rest;       // Sy, 1 when visible, weight, patch error
 };
 
 // The state of one alignment; lives on the GPU from the guess to the result.

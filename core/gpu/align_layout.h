@@ -2,6 +2,7 @@
 
 #include "gpu/gl_objects.h"
 #include "gpu/gpu_tuning.h"
+#include "gpu/program_cache.h"
 #include "gpu/shader_source.h"
 
 #include "geometry/camera_model.h"
@@ -19,6 +20,7 @@ struct GpuAlignSpec {
   CameraModel camera;
   int levels = 0;  ///< that the image size allows, at most direct.levels
   GpuTuning tuning;
+  ProgramCache programs{};  ///< where the kernels are taken from and left
 };
 
 /// std140 block AlignConstants of shaders/align_types.glsl.
@@ -46,15 +48,9 @@ static_assert(offsetof(GpuPointRecord, moments) == 64);
 /// std430 struct PointSums.
 struct GpuPointSums {
   float intensity[4];  ///< S1, S2, Sc, Sx
-  float rest[4];       ///< Sy, visible
+  float rest[4];       ///< Sy, visible, weight, patch error
 };
 static_assert(sizeof(GpuPointSums) == 32);
-
-/// One element of the Weights buffer.
-struct GpuPointWeight {
-  float weight, error;
-};
-static_assert(sizeof(GpuPointWeight) == 8);
 
 /// std430 struct AlignState: what one alignment starts from, and all that is read back.
 struct GpuAlignState {

@@ -15,8 +15,9 @@ struct TrackInput {
 };
 
 /// The iterations of one alignment, issued without waiting; pose, weights and the decision to stop
-/// stay on the GPU (shaders/align_residual.comp and align_solve.comp). The caller has bound the
-/// constants to uniform binding 0.
+/// stay on the GPU. A coarse level (GpuTuning::single_group_pixels) is one dispatch of one
+/// workgroup (shaders/align_coarse.comp), an iteration of a fine level is two (align_residual.comp,
+/// align_solve.comp). The caller has bound the constants to uniform binding 0.
 class AlignLoop {
  public:
   static Result<AlignLoop> create(const GpuAlignSpec& spec);
@@ -24,7 +25,7 @@ class AlignLoop {
   /// Issues every iteration of every level, coarse to fine.
   void run(const TrackInput& input, const GpuReference& reference, GpuCommands& commands) const;
 
-  /// The two halves of an iteration, for tests of each kernel. Barriered for shader storage reads.
+  /// The kernels, for tests of each. Barriered for shader storage reads.
   void residual(const TrackInput& input,
                 const GpuReference& reference,
                 int level,
@@ -34,16 +35,24 @@ class AlignLoop {
              int level,
              GpuCommands& commands) const;
   const GlBuffer& sums() const { return sums_; }
-  const GlBuffer& weights() const { return weights_; }
-  bool isComplete() const { return allComplete(sums_, weights_); }
-  void abandon() { abandonAll(residual_, solve_, sums_, weights_); }
+  bool isComplete() const { return allComplete(sums_); }
+  void abandon() { abandonAll(programs_.residual, programs_.solve, programs_.coarse, sums_); }
 
  private:
-  AlignLoop(ComputeProgram residual, ComputeProgram solve, const GpuAlignSpec& spec);
+  struct Programs {
+    ComputeProgram residual, solve, coarse;
+  };
+  AlignLoop(Programs programs, const GpuAlignSpec& spec);
 
-  ComputeProgram residual_, solve_;
-  int group_size_, max_iterations_;
-  GlBuffer sums_, weights_;
+  void bind(const TrackInput& input, const GpuReference& reference) const;
+  void iterateCoarse(const GpuReference& reference, int level, GpuCommands& commands) const;
+  void iterateFine(const GpuReference& reference, int level, GpuCommands& commands) const;
+  void issueResidual(int point_count, GpuCommands& commands) const;
+  void issueSolve(GpuCommands& commands) const;
+
+  Programs programs_;
+  int group_size_, max_iterations_, min_points_, single_group_pixels_;
+  GlBuffer sums_;
 };
 
 }  // namespace glide

@@ -4,6 +4,7 @@
 #include "gpu/compute_program.h"
 #include "gpu/gpu_commands.h"
 #include "gpu/gpu_pyramid.h"
+#include "gpu/point_order.h"
 #include "gpu/reference_points.h"
 #include "photometric/align_types.h"
 
@@ -16,14 +17,16 @@ class GpuReference {
  public:
   static Result<GpuReference> create(const GpuAlignSpec& spec);
 
-  /// Describes the first max_points of `points_ref` in the reference's pyramid, all levels. The
-  /// caller has bound the constants to uniform binding 0. Barriered for shader storage reads.
+  /// Describes the first max_points of `points_ref` in the reference's pyramid, at all levels where
+  /// they may be valid. The caller has bound the constants to uniform binding 0. Barriered for
+  /// shader storage reads.
   void precompute(const GpuPyramid& pyramid,
                   std::span<const AlignPoint> points_ref,
                   GpuCommands& commands);
 
-  int pointCount() const { return points_.count(); }
-  /// GpuPointRecord [level][max_points].
+  /// In the order in which the kernels have them.
+  const PointOrder& order() const { return order_; }
+  /// GpuPointRecord [level][max_points]; of a level those of its first order().count() points.
   const GlBuffer& records() const { return records_; }
   /// Floats [level][pixel][e gx gy][max_points].
   const GlBuffer& pixels() const { return pixels_; }
@@ -35,6 +38,7 @@ class GpuReference {
 
   ComputeProgram kernel_;
   int group_size_;
+  PointOrder order_;
   ReferencePoints points_;
   GlBuffer records_, pixels_;
 };

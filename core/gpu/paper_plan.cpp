@@ -27,15 +27,19 @@ Result<std::unique_ptr<AlignPlan>> PaperPlan::create(const GpuAlignSpec& spec) {
 
 Result<PaperPlan::Programs> PaperPlan::createPrograms(const GpuAlignSpec& spec) {
   const ShaderDefines defines = alignDefines(spec);
-  Result<ComputeProgram> precompute = ComputeProgram::create("paper_precompute.comp", defines);
+  Result<ComputeProgram> precompute =
+      ComputeProgram::create("paper_precompute.comp", defines, spec.programs);
   if (!precompute) return precompute.error();
-  Result<ComputeProgram> hessian = ComputeProgram::create("paper_hessian.comp", defines);
+  Result<ComputeProgram> hessian =
+      ComputeProgram::create("paper_hessian.comp", defines, spec.programs);
   if (!hessian) return hessian.error();
-  Result<ComputeProgram> residual = ComputeProgram::create("paper_residual.comp", defines);
+  Result<ComputeProgram> residual =
+      ComputeProgram::create("paper_residual.comp", defines, spec.programs);
   if (!residual) return residual.error();
-  Result<ComputeProgram> reduce = ComputeProgram::create("paper_reduce.comp", defines);
+  Result<ComputeProgram> reduce =
+      ComputeProgram::create("paper_reduce.comp", defines, spec.programs);
   if (!reduce) return reduce.error();
-  Result<ComputeProgram> solve = ComputeProgram::create("paper_solve.comp", defines);
+  Result<ComputeProgram> solve = ComputeProgram::create("paper_solve.comp", defines, spec.programs);
   if (!solve) return solve.error();
   return Programs{std::move(*precompute),
                   std::move(*hessian),

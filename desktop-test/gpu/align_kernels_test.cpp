@@ -43,10 +43,11 @@ class AlignKernelsTest : public GlTest, public ::testing::WithParamInterface<Var
 
 /// The GPU's side of the kernels, fed with images.
 struct KernelRig {
+  GpuAlignSpec spec;
   GlBuffer constants;
   LumaUpload upload;
-  PyramidPass pass;
   GpuPyramid pyramid;
+  PyramidPass pass;
   GpuReference reference;
   AlignLoop loop;
   AlignStateBuffer state;
@@ -64,20 +65,26 @@ KernelRig makeRig(const GpuAlignSpec& spec) {
   const int height = spec.camera.height();
   GlBuffer constants = makeBuffer(std::vector<GpuAlignConstants>{alignConstants(spec)});
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, constants.get());
-  return {std::move(constants),
-          LumaUpload::create(width, height, spec.tuning.group_size).value(),
-          PyramidPass::create(spec.tuning.group_size).value(),
-          GpuPyramid::allocate(width, height, spec.levels),
+  GpuPyramid pyramid = GpuPyramid::allocate(width, height, spec.levels);
+  PyramidPass pass = PyramidPass::create(spec.tuning, pyramid, spec.programs).value();
+  return {spec,
+          std::move(constants),
+          LumaUpload::create(width, height, spec.tuning.group_size, spec.programs).value(),
+          std::move(pyramid),
+          std::move(pass),
           GpuReference::create(spec).value(),
           AlignLoop::create(spec).value(),
           AlignStateBuffer::allocate(),
           GpuCommands()};
 }
 
-std::vector<TwinPoint> describeAll(const AlignScene& scene, const GpuAlignSpec& spec, int level) {
+/// The twins of the points that the kernels run over at a level, in the kernels' order.
+std::vector<TwinPoint> describeAll(const AlignScene& scene, const KernelRig& rig, int level) {
+  const GpuAlignSpec& spec = rig.spec;
   const Pyramid pyramid = scene.referencePyramid(spec.levels);
   std::vector<TwinPoint> points;
-  for (const AlignPoint& point : scene.points_ref) {
+  const auto count = static_cast<std::size_t>(rig.reference.order().count(level));
+  for (const AlignPoint& point : rig.reference.order().points().first(count)) {
     points.push_back(describeTwin(pyramid.levels[static_cast<std::size_t>(level)],
                                   spec.camera.atLevel(level),
                                   point.p_ref,
@@ -156,7 +163,7 @@ TEST_P(AlignKernelsTest, PrecomputeMatchesTwinOnEveryLevel) {
                             readBuffer<float>(rig.reference.pixels())};
   int valid = 0;
   for (int level = 0; level < kLevels; ++level) {
-    valid += expectSameLevel(cache, spec, describeAll(scene, spec, level), level);
+    valid += expectSameLevel(cache, spec, describeAll(scene, rig, level), level);
   }
   EXPECT_GT(valid, pointCount());
 }
@@ -184,7 +191,7 @@ TEST_P(AlignKernelsTest, ResidualSumsMatchTwinOnEveryLevel) {
     rig.state.start(scene.T_cam_ref);
     rig.loop.residual(rig.input(), rig.reference, level, rig.commands);
     const auto sums = readBuffer<GpuPointSums>(rig.loop.sums());
-    const std::vector<TwinPoint> points = describeAll(scene, spec, level);
+    const std::vector<TwinPoint> points = describeAll(scene, rig, level);
     const ImageF& image = frame.levels[static_cast<std::size_t>(level)];
     int visible = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -223,14 +230,17 @@ void solveBoth(KernelRig& rig,
                TwinState* twin) {
   std::vector<GpuPointSums> packed;
   std::transform(sums.begin(), sums.end(), std::back_inserter(packed), packSums);
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    packed[i].rest[2] = static_cast<float>(twin->weights[i]);
+  }
   overwrite(rig.loop.sums(), packed);
   rig.loop.solve(rig.input(), rig.reference, 0, rig.commands);
   const AlignResult gpu = toResult(readBuffer<GpuAlignState>(rig.state.buffer()).front());
   ASSERT_TRUE(solveTwin(points, sums, direct, twin));
   expectSameSolution(gpu, *twin);
-  const auto weights = readBuffer<GpuPointWeight>(rig.loop.weights());
+  const auto after = readBuffer<GpuPointSums>(rig.loop.sums());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_NEAR(weights[i].weight, twin->weights[i], 1e-3);
+    EXPECT_NEAR(after[i].rest[2], twin->weights[i], 1e-3);
   }
   twin->T_cam_ref = gpu.T_cam_ref;  // both go on from the same pose
 }
@@ -242,7 +252,7 @@ void expectSameIterations(const AlignScene& scene, const GpuAlignSpec& spec) {
   rig.load(scene.reference);
   rig.reference.precompute(
       rig.pyramid, scene.points_ref, rig.commands);  // for the number of points
-  const std::vector<TwinPoint> points = describeAll(scene, spec, 0);
+  const std::vector<TwinPoint> points = describeAll(scene, rig, 0);
   std::vector<GpuPointRecord> records;
   std::transform(points.begin(), points.end(), std::back_inserter(records), packRecord);
   overwrite(rig.reference.records(), records);
