@@ -52,6 +52,15 @@ Config inlineConfig() {
 }
 
 Playback play(const synthetic::SequenceOptions& options, Config config) {
+  const auto make_luma = [](const ImageU8& image) {
+    return Luma{image.row(0), image.width(), image.height(), image.stride()};
+  };
+  return playAs(make_luma, options, std::move(config));
+}
+
+Playback playAs(const MakeInput& make_input,
+                const synthetic::SequenceOptions& options,
+                Config config) {
   Playback run;
   config.camera = options.camera;
   Result<synthetic::Sequence> sequence =
@@ -64,8 +73,7 @@ Playback play(const synthetic::SequenceOptions& options, Config config) {
   ImageU8 image;
   for (int i = 0; i < sequence->size(); ++i) {
     sequence->image(i, &image);
-    const Luma luma{image.row(0), image.width(), image.height(), image.stride()};
-    const Result<FrameResult> result = session->update({sequence->timestamp(i), luma});
+    const Result<FrameResult> result = session->update({sequence->timestamp(i), make_input(image)});
     if (!result) {
       ADD_FAILURE() << "frame " << i << ": " << result.error().message;
       break;

@@ -7,6 +7,7 @@
 #include "glide/session.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,13 @@ Config inlineConfig();
 /// Renders the sequence and feeds it; keyframes are waited for. Sets the camera of the config.
 /// Reports a test failure and stops where the session refuses.
 Playback play(const synthetic::SequenceOptions& options, Config config);
+
+/// How an image is handed to the session.
+using MakeInput = std::function<decltype(FrameInput::image)(const ImageU8&)>;
+/// The same with images that are not handed over as pixels.
+Playback playAs(const MakeInput& make_input,
+                const synthetic::SequenceOptions& options,
+                Config config);
 
 /// Depth the scene is seen at, metres.
 double typicalDepth_m(synthetic::SceneKind kind);

@@ -48,7 +48,11 @@ std::optional<Failure> runFrames(Job& job) {
   run.pace = job.options.pace;
   ProgressDisplay progress(job.options.progress, run.source.frames);
   const LoopObservers observers{job.log, progress};
-  const Status status = replayFrames(*job.source.frames, *job.session, observers, run);
+  AppInput input(job.options.input);
+  const Player player{*job.session, input};
+  const Status status = replayFrames(*job.source.frames, player, observers, run);
+  if (!status && status.error().code == ErrorCode::unsupported)
+    return Failure{kNoGl, status.error().message};
   if (!status)
     return Failure{kUnreadableInput, "the session refused a frame: " + status.error().message};
   for (const Skip& skip : run.skips) job.log.note(describe(skip, run.source.listed));

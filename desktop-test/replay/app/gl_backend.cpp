@@ -27,25 +27,29 @@ bool hasGpuDevice() {
 
 }  // namespace
 
-Result<GlBackend> GlBackend::create(Backend backend) {
+Result<GlBackend> GlBackend::create(Backend backend, InputKind input) {
   GlBackend gl;
-  if (backend == Backend::cpu) return gl;
-  if (backend == Backend::automatic && !hasGpuDevice()) return gl;
+  const bool is_needed = backend == Backend::gles || input != InputKind::luma;
+  const bool is_useful = backend == Backend::automatic && hasGpuDevice();
+  if (!is_needed && !is_useful) return gl;
   Result<test::EglContext> egl = test::EglContext::create(test::EglDebug::off);
   if (egl) {
     gl.context_ = std::make_unique<Context>(Context{std::move(egl).value()});
-  } else if (backend == Backend::gles) {
+  } else if (is_needed) {
+    const std::string asked = input == InputKind::luma ? "--backend gles" : "--input";
     return Error{ErrorCode::unsupported,
-                 "--backend gles: no OpenGL ES 3.1 context can be made: " + egl.error().message};
+                 asked + ": no OpenGL ES 3.1 context can be made: " + egl.error().message};
   }
   return gl;
 }
 #else
 struct GlBackend::Context {};
 
-Result<GlBackend> GlBackend::create(Backend backend) {
-  if (backend == Backend::gles) {
-    return Error{ErrorCode::unsupported, "--backend gles: built without OpenGL ES (GLIDE_GLES)"};
+Result<GlBackend> GlBackend::create(Backend backend, InputKind input) {
+  const char* asked = input == InputKind::luma ? "--backend gles" : "--input";
+  if (backend == Backend::gles || input != InputKind::luma) {
+    return Error{ErrorCode::unsupported,
+                 std::string(asked) + ": built without OpenGL ES (GLIDE_GLES)"};
   }
   return GlBackend();
 }

@@ -65,6 +65,15 @@ void addTracking(CLI::App& app, Raw& raw) {
          "where the direct tracker runs; auto: gles on hardware GL, else cpu\n(default: auto)")
       ->check(plain(CLI::IsMember({"auto", "gles", "cpu"})))
       ->type_name("auto|gles|cpu");
+  const std::map<std::string, InputKind> inputs = {{"luma", InputKind::luma},
+                                                   {"texture", InputKind::texture},
+                                                   {"external", InputKind::external}};
+  app.add_option("--input",
+                 options.input,
+                 "how the session gets the images: pixels, an RGBA8 texture, or an\n"
+                 "external texture as of an Android camera (default: luma)")
+      ->transform(plain(CLI::CheckedTransformer(inputs)))
+      ->type_name("luma|texture|external");
   app.add_option("--tracker", raw.tracker, "hybrid, or indirect for every frame (default: hybrid)")
       ->check(plain(CLI::IsMember({"hybrid", "indirect"})))
       ->type_name("hybrid|indirect");

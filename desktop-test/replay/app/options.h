@@ -11,6 +11,8 @@
 
 namespace glide::replay {
 
+/// How the session gets the images.
+enum class InputKind { luma, texture, external };
 enum class Progress { automatic, plain, none };
 enum class TrajectoryFrame { camera, body };
 
@@ -23,6 +25,7 @@ struct Options {
   FrameSelection selection;
   std::optional<double> fps;
   Pace pace = Pace::lossless;
+  InputKind input = InputKind::luma;
   TrajectoryFrame trajectory_frame = TrajectoryFrame::camera;
   Progress progress = Progress::automatic;
   bool json = false;

@@ -33,7 +33,14 @@ TEST(Options, HaveTheDefaultsOfTheManual) {
   EXPECT_EQ(options.progress, Progress::automatic);
   EXPECT_EQ(options.selection.stride, 1);
   EXPECT_TRUE(options.settings.empty());
+  EXPECT_EQ(options.input, InputKind::luma);
   EXPECT_FALSE(options.json);
+}
+
+TEST(Options, ReadHowTheSessionGetsTheImages) {
+  EXPECT_EQ(parsed({"data", "--input", "texture"}).input, InputKind::texture);
+  EXPECT_EQ(parsed({"data", "--input", "external"}).input, InputKind::external);
+  EXPECT_EQ(exitCode({"data", "--input", "film"}), kUsage);
 }
 
 TEST(Options, TurnShortcutsIntoSettingsThatSetOverrides) {

@@ -133,7 +133,7 @@ std::optional<Failure> startSession(Job& job) {
     return Failure{kUnreadableInput, job.calibration.origin + ": " + valid.error().message};
   }
   Stopwatch watch;
-  Result<GlBackend> gl = GlBackend::create(job.config.backend);
+  Result<GlBackend> gl = GlBackend::create(job.config.backend, job.options.input);
   if (!gl) return Failure{kNoGl, gl.error().message};
   job.gl.emplace(std::move(gl).value());
   Result<Session> session = Session::create(job.config);

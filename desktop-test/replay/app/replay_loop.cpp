@@ -9,14 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-
 namespace glide::replay {
 namespace {
-
-Luma lumaOf(const ImageU8& image) {
-  return {image.row(0), image.width(), image.height(), static_cast<std::ptrdiff_t>(image.stride())};
-}
 
 /// One line per change of state: the story of the run.
 void noteStateChange(const FrameRecord& record, TrackingState before, RunLog& log) {
@@ -55,28 +49,30 @@ void noteCorrection(const FrameRecord& record, RunLog& log) {
 }  // namespace
 
 Status replayFrames(FrameSource& source,
-                    Session& session,
+                    const Player& player,
                     const LoopObservers& observers,
                     RunRecord& run) {
   Stopwatch wall;
   FrameFeed feed(source, run.pace);
   TrackingState state = TrackingState::initializing;
   while (const std::optional<FedFrame> fed = feed.next()) {
-    Result<FrameResult> result = session.update({fed->frame.t_ns, lumaOf(fed->frame.image)});
+    const Result<FrameInput> input = player.input.make(fed->frame.t_ns, fed->frame.image);
+    if (!input) return input.error();
+    Result<FrameResult> result = player.session.update(*input);
     if (!result) return result.error();
     run.frames.push_back({fed->index, std::move(result).value()});
     const FrameRecord& record = run.frames.back();
-    if (record.result.stats.keyframe && run.pace == Pace::lossless) session.waitForMapping();
+    if (record.result.stats.keyframe && run.pace == Pace::lossless) player.session.waitForMapping();
     noteStateChange(record, state, observers.log);
     noteCorrection(record, observers.log);
     state = record.result.state;
     observers.progress.show(record);
   }
   observers.progress.finish();
-  session.waitForMapping();
+  player.session.waitForMapping();
   run.wall_s = wall.lapMs() * 1e-3;
   run.dropped = feed.dropped();
-  run.map = session.map();
+  run.map = player.session.map();
   run.skips = source.skips().skips();
   return Unit{};
 }

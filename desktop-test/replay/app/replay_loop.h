@@ -1,5 +1,6 @@
 #pragma once
 
+#include "replay/app/app_input.h"
 #include "replay/app/progress_display.h"
 #include "replay/app/run_log.h"
 #include "replay/outputs/run_record.h"
@@ -10,6 +11,12 @@
 
 namespace glide::replay {
 
+/// What the frames are given to, and how.
+struct Player {
+  Session& session;
+  AppInput& input;
+};
+
 /// What the loop tells while it runs.
 struct LoopObservers {
   RunLog& log;
@@ -17,10 +24,10 @@ struct LoopObservers {
 };
 
 /// Feeds every frame of the source to the session at run.pace and fills run.frames, dropped, map,
-/// skips and wall_s. An error only when the session refuses a frame, which is a bug or a full
-/// memory.
+/// skips and wall_s. An error when the GL has no such input, and when the session refuses a frame,
+/// which is a bug or a full memory.
 Status replayFrames(FrameSource& source,
-                    Session& session,
+                    const Player& player,
                     const LoopObservers& observers,
                     RunRecord& run);
 
