@@ -30,16 +30,16 @@ unpack_angle() {
   ln -s libEGL.so "$folder/libEGL.so.1" && ln -s libGLESv2.so "$folder/libGLESv2.so.2"
 }
 
-# Into a new folder that then takes the cache's place: two at once do no harm.
+# Into a new folder that then becomes the cache: what is there is whole.
 download_angle() {
   local new status=0
   mkdir -p "$(dirname "$angle_folder")" || return
   new="$(mktemp -d "$angle_folder.XXXXXX")" || return
   mkdir "$new/package" "$new/angle"
   (cd "$new/package" && npm pack --silent "$angle_package") && unpack_angle "$new"/package/*.tgz "$new/angle" &&
-    mv -T "$new/angle" "$angle_folder" || status=$?
+    mv "$new/angle" "$angle_folder" || status=$?
   rm -rf "$new"
-  [ "$status" -eq 0 ] || [ -d "$angle_folder" ]
+  return "$status"
 }
 
 fetch_angle() {
@@ -61,14 +61,19 @@ fetch_lavapipe() {
   fi
 }
 
-# fetch_driver DRIVER: installs or downloads what is missing; otherwise says what it could not get.
-fetch_driver() {
+fetch_what_is_missing() {
   case "$1" in
     llvmpipe | softpipe) setup mesa ;;
     zink) setup mesa && fetch_lavapipe ;;
     angle-swiftshader) fetch_angle ;;
     angle-lavapipe) fetch_angle && fetch_lavapipe ;;
   esac
+}
+
+# fetch_driver DRIVER: installs or downloads what is missing; otherwise says what it could not get. One at a time.
+fetch_driver() {
+  mkdir -p "$root/build/cache/drivers" || return
+  (flock 9 && fetch_what_is_missing "$1" 9>&-) 9>"$root/build/cache/drivers/lock"
 }
 
 use_mesa() {

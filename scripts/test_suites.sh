@@ -1,6 +1,6 @@
-# What ./glide test runs. Sourced by it; expects scripts/steps.sh.
+# What ./glide test runs. Sourced by it; expects scripts/steps.sh and scripts/drivers.sh.
 # shellcheck shell=bash
-: "${root:?}"
+: "${root:?}" "${all_drivers[*]:?}"
 
 # Unit tests of what handles memory by hand or reads foreign files.
 asan_targets=(geometry_test image_test photometric_test feature_test map_test optimize_test readers_test calibration_test
@@ -54,6 +54,9 @@ fuzz_suite() {
   sanitized fuzz map_fuzz
 }
 
+# Of CI's drivers only this one is no Debian package; fetched before its tests need it, which run two at a time.
+fetch_angle_for_tests() { fetch_driver angle-swiftshader || say "no ANGLE: its tests are skipped, or fail under CI"; }
+
 release_suite() { build release && ctest_in release "$@"; }
 
 # A whole threaded replay under ThreadSanitizer: tracking, mapping, loss, relocalisation, orderly end.
@@ -67,6 +70,15 @@ tsan_replay() {
     --output "$folder/out" --require-tracked 0.9
 }
 
+# driver_suite DRIVER [ctest arguments]: what runs on OpenGL ES, on this driver.
+driver_suite() {
+  local driver="$1"
+  shift
+  is_driver "$driver" || die "there is no driver '$driver'; there are ${all_drivers[*]}"
+  fetch_driver "$driver" || say "the driver $driver is not to be had here: its tests are skipped, or fail under CI"
+  build release && ctest_in release -C drivers -L "^driver-$driver\$" "$@"
+}
+
 run_test_suites() {
   local quick=no
   if [ "${1:-}" = --quick ]; then
@@ -75,12 +87,18 @@ run_test_suites() {
   fi
   # Without a GL the GPU tests skip on a developer's machine; in CI that is a failure.
   if [ -n "${CI:-}" ]; then export GLIDE_REQUIRE_GL=1; fi
+  if [ "${1:-}" = --driver ]; then
+    [ $# -ge 2 ] || die "--driver needs one of ${all_drivers[*]}"
+    driver_suite "${@:2}"
+    return
+  fi
   if [ "$quick" = no ] && [ $# -eq 0 ]; then
     suite "address and undefined behaviour sanitizers" sanitized asan "${asan_targets[@]}"
     suite "thread sanitizer" tsan_units
     suite "thread sanitizer on a whole replay" tsan_replay
     suite "fuzzer" fuzz_suite
     suite "library with clang" build clang glide
+    fetch_angle_for_tests
   fi
   suite "all tests" release_suite "$@"
   [ "${#failed_suites[@]}" -eq 0 ] || die "failed: $(printf '%s; ' "${failed_suites[@]}")"

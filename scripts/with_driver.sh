@@ -14,7 +14,7 @@ Runs the command with OpenGL ES on DRIVER: ${all_drivers[*]}
 What the driver needs is installed (apt) or downloaded into build/cache/drivers first. For example
   scripts/with_driver.sh angle-swiftshader ./glide replay euroc:FOLDER --backend gles
   scripts/with_driver.sh zink build/release/desktop-test/gpu/gpu_test
-Status 69 when the driver is not to be had here.
+Status 77 when the driver is not to be had here; 1 when moreover GLIDE_REQUIRE_GL=1, as under CI.
 TEXT
 }
 
@@ -25,7 +25,8 @@ shift
 is_driver "$driver" || die "there is no driver '$driver'; there are ${all_drivers[*]}"
 fetch_driver "$driver" || {
   say "the driver $driver is not to be had here"
-  exit 69
+  if [ "${GLIDE_REQUIRE_GL:-}" = 1 ]; then exit 1; fi
+  exit 77
 }
 use_driver "$driver"
 exec "$@"
