@@ -3,6 +3,7 @@
 #include "gpu/gl_caps.h"
 
 #include "base/file_io.h"
+#include "base/hash.h"
 
 #include <array>
 #include <cstdint>
@@ -30,21 +31,6 @@ struct Header {
 };
 static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 32);
 
-/// FNV-1a, 64 bits: names files and finds damage; it need not withstand an attacker.
-constexpr std::uint64_t kHashStart = 0xcbf29ce484222325U;
-constexpr std::uint64_t kHashPrime = 0x100000001b3U;
-
-std::uint64_t hash(std::span<const std::byte> bytes, std::uint64_t start) {
-  for (const std::byte byte : bytes) {
-    start = (start ^ static_cast<std::uint64_t>(byte)) * kHashPrime;
-  }
-  return start;
-}
-
-std::span<const std::byte> bytesOf(std::string_view text) {
-  return std::as_bytes(std::span<const char>(text.data(), text.size()));
-}
-
 std::string hexadecimal(std::uint64_t value) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   constexpr int kBits = 64;
@@ -67,7 +53,7 @@ std::optional<std::vector<std::byte>> valueOf(std::span<const std::byte> file,
   file = file.subspan(sizeof(header));
   if (header.magic != kMagic || header.format != kFormat || header.key_bytes != key.size() ||
       header.key_bytes > file.size() || header.value_bytes != file.size() - header.key_bytes ||
-      header.checksum != hash(file, kHashStart) ||
+      header.checksum != fnv1a(file, kHashStart) ||
       std::memcmp(file.data(), key.data(), key.size()) != 0) {
     return std::nullopt;
   }
@@ -82,7 +68,7 @@ DeviceCache::DeviceCache(std::string folder, const GlCaps& caps)
       device_(caps.vendor + '\n' + caps.renderer + '\n' + caps.version + '\n') {}
 
 std::string DeviceCache::path(std::string_view kind, std::string_view key) const {
-  const std::uint64_t name = hash(bytesOf(fullKey(device_, key)), kHashStart);
+  const std::uint64_t name = fnv1a(bytesOf(fullKey(device_, key)), kHashStart);
   return (fs::path(folder_) / (std::string(kind) + "-" + hexadecimal(name) + ".bin")).string();
 }
 
@@ -105,7 +91,7 @@ void DeviceCache::store(std::string_view kind,
   Header header;
   header.key_bytes = static_cast<std::uint32_t>(full_key.size());
   header.value_bytes = value.size();
-  header.checksum = hash(std::span<const std::byte>(file).subspan(sizeof(Header)), kHashStart);
+  header.checksum = fnv1a(std::span<const std::byte>(file).subspan(sizeof(Header)), kHashStart);
   std::memcpy(file.data(), &header, sizeof(header));
   std::error_code ignored;
   fs::create_directories(folder_, ignored);

@@ -2,7 +2,6 @@
 
 #include "gpu/gl.h"
 
-#include <algorithm>
 #include <cctype>
 
 namespace glide {
@@ -64,7 +63,7 @@ Result<GlCaps> GlCaps::query() {
                        "\" on \"" + caps.renderer + "\"");
   }
   caps.es_version = *es_version;
-  caps.is_software = isSoftwareRenderer(caps.renderer);
+  caps.quirks = driverQuirks({caps.vendor, caps.renderer, caps.version});
   caps.has_timer_query = hasExtension("GL_EXT_disjoint_timer_query");
   caps.has_external = hasExtension("GL_OES_EGL_image_external");
   caps.has_external_essl3 = hasExtension("GL_OES_EGL_image_external_essl3");
@@ -82,18 +81,6 @@ std::optional<std::array<int, 2>> parseEsVersion(std::string_view version) {
     return std::nullopt;
   }
   return std::array<int, 2>{number[0] - '0', number[2] - '0'};
-}
-
-bool isSoftwareRenderer(std::string_view renderer) {
-  std::string lower(renderer);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  constexpr std::array<std::string_view, 6> kNames{
-      "llvmpipe", "softpipe", "swrast", "swiftshader", "lavapipe", "software rasterizer"};
-  return std::any_of(kNames.begin(), kNames.end(), [&](std::string_view name) {
-    return lower.find(name) != std::string::npos;
-  });
 }
 
 }  // namespace glide

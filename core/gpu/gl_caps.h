@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gpu/driver_quirks.h"
+
 #include "glide/result.h"
 
 #include <array>
@@ -15,7 +17,7 @@ namespace glide {
 struct GlCaps {
   std::string vendor, renderer, version;
   std::array<int, 2> es_version{};     ///< major, minor; at least 3.1
-  bool is_software = false;            ///< llvmpipe, softpipe, SwiftShader, lavapipe and the like
+  DriverQuirks quirks;                 ///< from vendor, renderer and version
   bool has_timer_query = false;        ///< GL_EXT_disjoint_timer_query
   bool has_external = false;           ///< GL_OES_EGL_image_external: ESSL 1 samples such textures
   bool has_external_essl3 = false;     ///< GL_OES_EGL_image_external_essl3: compute shaders do
@@ -34,8 +36,5 @@ struct GlCaps {
 
 /// Major and minor of a GL_VERSION string of OpenGL ES 2 or newer; nothing for ES 1 and desktop GL.
 std::optional<std::array<int, 2>> parseEsVersion(std::string_view version);
-
-/// Whether a GL_RENDERER string names a rasteriser that runs on the CPU.
-bool isSoftwareRenderer(std::string_view renderer);
 
 }  // namespace glide

@@ -51,7 +51,7 @@ Result<std::unique_ptr<GpuAligner>> GpuAligner::createWith(const GlCaps& caps,
                                                            const GpuTuning& tuning,
                                                            const GpuRunOptions& options) {
   const int levels = pyramidLevels(camera.width(), camera.height(), direct.levels);
-  const GpuAlignSpec spec{direct, camera, levels, tuning};
+  const GpuAlignSpec spec{direct, camera, levels, tuning, options.programs};
   if (std::optional<Error> error = checkLimits(caps, spec)) return *std::move(error);
   Result<GlHome> home = GlHome::create();
   if (!home) return home.error();
@@ -67,7 +67,7 @@ Result<std::unique_ptr<GpuAligner>> GpuAligner::createWith(const GlCaps& caps,
 Result<GpuAligner::Stages> GpuAligner::createStages(const GlCaps& caps, const GpuAlignSpec& spec) {
   const int width = spec.camera.width();
   const int height = spec.camera.height();
-  Result<LumaUpload> upload = LumaUpload::create(width, height, spec.tuning.group_size);
+  Result<LumaUpload> upload = LumaUpload::create(width, height, spec.tuning.group_size, spec.programs);
   if (!upload) return upload.error();
   GpuPyramid frame = GpuPyramid::allocate(width, height, spec.levels);
   Result<PyramidPass> pyramid = PyramidPass::create(spec.tuning, frame, spec.programs);
@@ -84,7 +84,7 @@ Result<GpuAligner::Stages> GpuAligner::createStages(const GlCaps& caps, const Gp
   constants.write(&values, sizeof(values));
   return Stages{std::move(constants),
                 std::move(*upload),
-                TextureUpload(caps, {width, height}, spec.tuning.group_size),
+                TextureUpload(caps, {width, height}, spec.tuning.group_size, spec.programs),
                 std::move(frame),
                 std::move(*pyramid),
                 std::move(*plan),

@@ -21,6 +21,7 @@ namespace glide {
 struct GpuRunOptions {
   GpuTiming timing = GpuTiming::passive;
   GlStatePolicy state = GlStatePolicy::preserve;
+  ProgramCache programs{};
 };
 
 /// Aligner on OpenGL ES 3.1 compute: the contract of docs/algorithms/photometric-alignment.md in

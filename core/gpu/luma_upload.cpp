@@ -7,9 +7,12 @@ namespace {
 constexpr int kGroupWidth = 32;  // local_size_x of the kernel
 }
 
-Result<LumaUpload> LumaUpload::create(int width, int height, int group_size) {
-  Result<ComputeProgram> convert =
-      ComputeProgram::create("luma_to_float.comp", {{"GROUP_ROWS", group_size / kGroupWidth}});
+Result<LumaUpload> LumaUpload::create(int width,
+                                      int height,
+                                      int group_size,
+                                      const ProgramCache& programs) {
+  Result<ComputeProgram> convert = ComputeProgram::create(
+      "luma_to_float.comp", {{"GROUP_ROWS", group_size / kGroupWidth}}, programs);
   if (!convert) return convert.error();
   return LumaUpload(GlTexture::allocate(GL_R8UI, width, height), std::move(*convert), group_size);
 }
@@ -30,7 +33,7 @@ void LumaUpload::run(const ImageViewU8& luma,
   commands.barrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   commands.dispatch(groupCount(luma.width, kGroupWidth),
                     groupCount(luma.height, group_size_ / kGroupWidth));
-  commands.barrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // pyramid_down fetches level 0
+  commands.barrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // the pyramid fetches level 0
 }
 
 }  // namespace glide

@@ -11,7 +11,10 @@ namespace glide {
 /// Brings 8-bit images of one size to the GPU as level 0 of a pyramid (shaders/luma_to_float.comp).
 class LumaUpload {
  public:
-  static Result<LumaUpload> create(int width, int height, int group_size);
+  static Result<LumaUpload> create(int width,
+                                   int height,
+                                   int group_size,
+                                   const ProgramCache& programs);
 
   /// Copies `luma`, which has the size given at creation, and converts it into `level0`, barriered
   /// for texture fetches. Pixel unpack state is neutral (ScopedGlState); the row length is left

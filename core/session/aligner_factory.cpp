@@ -5,8 +5,12 @@
 #include <utility>
 
 #if defined(GLIDE_GLES)
+#include "gpu/autotuner.h"
+#include "gpu/device_cache.h"
 #include "gpu/gl_caps.h"
 #include "gpu/gpu_aligner.h"
+#include "gpu/program_cache.h"
+#include "gpu/tuning_trial.h"
 #endif
 
 namespace glide {
@@ -27,8 +31,12 @@ Result<ChosenAligner> makeGpuAligner(const Config& config, const CameraModel& ca
   if (!caps) return caps.error();
   if (config.backend == Backend::automatic && caps->quirks.is_software)
     return Error{ErrorCode::unsupported, "the current GL is a software rasteriser"};
+  const DeviceCache files(config.gl.cache_dir, *caps);
+  const ProgramCache programs(files, *caps);
+  TuningTrial trial(*caps, config, camera);
+  const GpuTuning tuning = chooseTuning(config, caps->quirks, files, trial.probe(programs));
   auto aligner = GpuAligner::createWith(
-      *caps, config.direct, camera, GpuTuning{}, {GpuTiming::passive, config.gl.state});
+      *caps, config.direct, camera, tuning, {GpuTiming::passive, config.gl.state, programs});
   if (!aligner) return aligner.error();
   ChosenAligner chosen;
   chosen.aligner = std::move(*aligner);

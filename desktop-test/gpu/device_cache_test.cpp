@@ -24,18 +24,13 @@ GlCaps someDevice() {
   return caps;
 }
 
-std::vector<std::byte> bytesOf(std::string_view text) {
-  const auto bytes = std::as_bytes(std::span<const char>(text.data(), text.size()));
-  return {bytes.begin(), bytes.end()};
-}
-
 class DeviceCacheTest : public testing::Test {
  protected:
   DeviceCache cacheOf(const GlCaps& caps) const { return {folder_.path() / "made" / "here", caps}; }
 
   const TemporaryFolder folder_;
   const DeviceCache cache_ = cacheOf(someDevice());
-  const std::vector<std::byte> value_ = bytesOf("some value");
+  const std::vector<std::byte> value_ = std::vector<std::byte>(10, std::byte{7});
 };
 
 TEST_F(DeviceCacheTest, GivesBackWhatItKept) {

@@ -55,7 +55,7 @@ class GpuPyramidTest : public GlTest {
     const int levels = pyramidLevels(luma.width, luma.height, kLevels);
     GpuPyramid pyramid = GpuPyramid::allocate(luma.width, luma.height, levels);
     const Result<LumaUpload> upload =
-        LumaUpload::create(luma.width, luma.height, variant.group_size);
+        LumaUpload::create(luma.width, luma.height, variant.group_size, ProgramCache());
     const Result<PyramidPass> pass =
         PyramidPass::create(tuningOf(variant), pyramid, ProgramCache());
     EXPECT_TRUE(upload.ok() && pass.ok());

@@ -60,16 +60,23 @@ enum class GlStatePolicy {
   none,      ///< What was touched stays as the last kernel left it.
 };
 
+/// When a session makes its GL objects.
+enum class GlCreation {
+  at_create,        ///< In Session::create, which needs the context and says what it lacks.
+  at_first_update,  ///< In the first update(); create() needs no context.
+};
+
 /// How the direct tracker's kernels are cut into commands.
 enum class GpuPlanChoice {
-  automatic,  ///< What is fastest on the device (Config::Gl::tuning).
+  automatic,  ///< What is fastest on the device (Config::Gl::autotune).
   fused,      ///< Few commands: fused reductions, coarse levels inside one workgroup.
   paper,      ///< The structure of the paper's section III (for comparison).
 };
 
-/// Whether group sizes and plans are tried on the device at creation.
+/// Whether group sizes and kernels are tried on the device at creation (docs/gpu-tuning.md).
 enum class GpuAutotune {
   on,   ///< Once per device, driver, image size and patch: up to 300 ms; then from gl.cache_dir.
+        ///< Without a cache_dir, and with Execution::inline_: as off.
   off,  ///< What the cache knows of the device, else the defaults.
 };
 
@@ -167,6 +174,7 @@ struct Config {
   /// The OpenGL ES backend.
   struct Gl {
     GlStatePolicy state = GlStatePolicy::preserve;
+    GlCreation creation = GlCreation::at_create;
     GpuPlanChoice plan = GpuPlanChoice::automatic;
     GpuAutotune autotune = GpuAutotune::on;
     /// Folder of program binaries and of what the autotuner chose; made when it is missing. Empty:
