@@ -136,6 +136,7 @@ Result<Config> toConfig(const glide_config& given) {
   config.backend = *backend;
   config.mode = *mode;
   config.execution = *execution;
+  config.gl.creation = GlCreation::at_first_update;
   Result<CameraIntrinsics> camera = toIntrinsics(given.camera);
   if (!camera) return camera.error();
   config.camera = *std::move(camera);

@@ -22,7 +22,9 @@ Result<Session> Session::create(const Config& config) try {
   const Result<CameraModel> camera = CameraModel::create(config.camera);
   if (!camera) return camera.error();
   ChosenAligner aligner;
-  if (config.tracker == TrackerMode::hybrid) {
+  const bool is_later =
+      config.backend != Backend::cpu && config.gl.creation == GlCreation::at_first_update;
+  if (config.tracker == TrackerMode::hybrid && !is_later) {
     Result<ChosenAligner> chosen = chooseAligner(config, *camera);
     if (!chosen) return chosen.error();
     aligner = std::move(*chosen);

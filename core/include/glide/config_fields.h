@@ -129,6 +129,7 @@ void visitLoop(ConfigT& config, Visitor& visit) {
 template <class ConfigT, class Visitor>
 void visitGl(ConfigT& config, Visitor& visit) {
   visit(FieldInfo{"gl.state", ""}, config.gl.state);
+  visit(FieldInfo{"gl.creation", ""}, config.gl.creation);
   visit(FieldInfo{"gl.plan", ""}, config.gl.plan);
   visit(FieldInfo{"gl.autotune", ""}, config.gl.autotune);
   visit(FieldInfo{"gl.cache_dir", ""}, config.gl.cache_dir);

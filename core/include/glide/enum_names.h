@@ -40,6 +40,9 @@ constexpr std::array<EnumName<GlStatePolicy>, 3> enumNames(GlStatePolicy) {
            {GlStatePolicy::reset, "reset"},
            {GlStatePolicy::none, "none"}}};
 }
+constexpr std::array<EnumName<GlCreation>, 2> enumNames(GlCreation) {
+  return {{{GlCreation::at_create, "at_create"}, {GlCreation::at_first_update, "at_first_update"}}};
+}
 constexpr std::array<EnumName<GpuPlanChoice>, 3> enumNames(GpuPlanChoice) {
   return {{{GpuPlanChoice::automatic, "auto"},
            {GpuPlanChoice::fused, "fused"},

@@ -29,7 +29,8 @@ struct BackendInfo {
 /// (docs/gl-contract.md). In a context that does not share, update() builds its GL objects anew.
 class GLIDE_API Session {
  public:
-  /// Checks the config (validate) and, for Backend::gles, the current context.
+  /// Checks the config (validate) and, for Backend::gles, the current context (unless
+  /// Config::gl.creation says later).
   static Result<Session> create(const Config& config);
 
   Session(Session&&) noexcept;

@@ -75,6 +75,19 @@ TEST(Session, RefusesGlesWithoutACurrentContext) {
   EXPECT_EQ(session.error().code, ErrorCode::missing_context);
 }
 
+TEST(Session, NeedsTheContextOnlyForTheFirstFrameWhenToldSo) {
+  SequenceFixture fixture;
+  Config config = fixture.config();
+  config.backend = Backend::gles;
+  config.gl.creation = GlCreation::at_first_update;
+  Session session = makeSession(config);
+  const ImageU8 image = fixture.imageAt(0.0);
+  const Luma luma{image.row(0), image.width(), image.height(), image.stride()};
+  const Result<FrameResult> result = session.update({100, luma});
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::missing_context);
+}
+
 TEST(Session, RefusesBadInputByNameAndGoesOn) {
   SequenceFixture fixture;
   Session session = makeSession(fixture.config());
