@@ -30,9 +30,8 @@ Traffic pyramidTraffic(const Workload& workload, GpuPlan plan, int levels) {
   for (int level = 0; level + 1 < levels; ++level) {
     sum += {kFloat * area(workload, level), kFloat * area(workload, level + 1)};
     if (plan != GpuPlan::paper) continue;
-    const double temporary =
-        kFloat * levelSide(workload.width, level + 1) * levelSide(workload.height, level);
-    sum += {temporary, temporary};
+    sum += {kFloat * levelSide(workload.width, level + 1) * levelSide(workload.height, level),
+            kFloat * area(workload, level)};
   }
   return sum;
 }

@@ -38,8 +38,8 @@ int levelSide(int side, int level);
 /// a float.
 ///   upload      read A_0 (the host's image) + A_0 (to convert it), written A_0 + 4 A_0
 ///   pyramid     fused: a level is one command: read 4 A_l, written 4 A_(l+1);
-///               paper: two, through a temporary image W_(l+1) x H_l, that is 4 W_(l+1) H_l more of
-///               both
+///               paper: two: the blurred rows, 4 A_l, are written, and their even columns,
+///               4 W_(l+1) H_l, read
 ///   precompute  N_l times: read a position (16) and texels, 4 (p + 3)^2, and written
 ///               fused: the record (112) and e, gx, gy a pixel, 12 p^2;
 ///               paper: a position (16) and I0, J a pixel, 28 p^2; H of the point (96) is written
