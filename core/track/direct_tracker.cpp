@@ -4,10 +4,14 @@
 
 #include "base/median.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace glide {
 namespace {
+
+// What is usual is forgotten within a second or so: halved after seven frames.
+constexpr double kSurpriseDecay = 0.9;
 
 /// Landmarks of the frame in its own camera frame, at most `max_points`, evenly thinned.
 void collectPoints(const Frame& frame,
@@ -31,6 +35,12 @@ double medianDepth(const std::vector<AlignPoint>& points) {
   depths.reserve(points.size());
   for (const AlignPoint& point : points) depths.push_back(point.p_ref.z());
   return median(std::move(depths), 1.0);
+}
+
+/// DirectEvidence::surprise.
+double distanceBetween(const SE3d& T_cam_ref, const SE3d& T_cam_ref_guess, double depth) {
+  const SE3d T_cam_guess = T_cam_ref * T_cam_ref_guess.inverse();
+  return T_cam_guess.t.norm() / std::max(depth, 1e-9) + so3Log(T_cam_guess.q).norm();
 }
 
 }  // namespace
@@ -65,8 +75,15 @@ TrackedFrame DirectTracker::track(const Frame& frame,
   T_cam_ref_guess.t /= reference_->pose.growth(*frame.map);  // the reference keeps its unit
   const AlignResult align = aligner_->align(T_cam_ref_guess);
   if (align.valid) tracked = makeTracked(align, *frame.map);
-  tracked.switch_reason = decideSwitch(
-      config_, {align, reference_->direct_frames, reference_->median_depth, reference_->last_rms});
+  const double surprise =
+      distanceBetween(align.T_cam_ref, T_cam_ref_guess, reference_->median_depth);
+  tracked.switch_reason = decideSwitch(config_,
+                                       {align,
+                                        reference_->direct_frames,
+                                        reference_->median_depth,
+                                        reference_->last_rms,
+                                        surprise,
+                                        usual_surprise_});
   tracked.ok = tracked.switch_reason == SwitchReason::none;
   if (tracked.switch_reason == SwitchReason::photometric_error) {
     // It ended in a wrong place: what was expected is the better guess.
@@ -76,6 +93,7 @@ TrackedFrame DirectTracker::track(const Frame& frame,
   if (tracked.ok) {
     ++reference_->direct_frames;
     reference_->last_rms = align.rms;
+    usual_surprise_ = std::max(surprise, kSurpriseDecay * usual_surprise_);
   }
   tracked.stats.pyramid_ms = aligner_->times().pyramid_ms;
   tracked.stats.align_ms = aligner_->times().align_ms;

@@ -50,6 +50,7 @@ class DirectTracker {
   Config::Direct config_;
   std::unique_ptr<Aligner> aligner_;
   std::optional<Reference> reference_;
+  double usual_surprise_ = 0.0;     ///< DirectEvidence::usual_surprise
   bool is_frame_loaded_ = false;    ///< the aligner took the frame that was tracked last
   std::vector<AlignPoint> points_;  ///< scratch
 };

@@ -21,6 +21,18 @@ bool errorJumped(const Config::Direct& config, const DirectEvidence& evidence) {
   return evidence.align.rms > config.max_rms_growth * before;
 }
 
+/// The camera is suddenly somewhere else and the patches fit worse there: a solve that ended in the
+/// next repetition of a facade. Neither alone says so, as hands jerk and views change.
+bool endedElsewhere(const Config::Direct& config, const DirectEvidence& evidence) {
+  constexpr double kGrowth = 1.3;  // of the patch error from one frame to the next: not perspective
+  constexpr double kFactor = 4.0;  // what is usual is the largest of late already
+  constexpr double kSmall = 0.005;  // some pixels: the noise of a slow camera's prediction
+  if (evidence.last_rms <= 0.0) return false;
+  const double before = std::max(evidence.last_rms, config.huber_floor);
+  return evidence.align.rms > kGrowth * before &&
+         evidence.surprise > kFactor * std::max(evidence.usual_surprise, kSmall);
+}
+
 /// The gain ran into its limits: the frame holds something else than the reference.
 bool isImplausibleGain(const AlignResult& align) {
   constexpr double kMin = 0.22;  // just inside of the aligner's clamp of 0.2 to 5
@@ -39,7 +51,8 @@ SwitchReason decideSwitch(const Config::Direct& config, const DirectEvidence& ev
   if (evidence.direct_frames >= config.max_direct_frames) return SwitchReason::max_direct_frames;
   if (!align.valid) return SwitchReason::solve_failed;
   if (tooFewVisible(config, align)) return SwitchReason::too_few_visible;
-  if (errorTooHigh(config, align) || errorJumped(config, evidence) || isImplausibleGain(align))
+  if (errorTooHigh(config, align) || errorJumped(config, evidence) || isImplausibleGain(align) ||
+      endedElsewhere(config, evidence))
     return SwitchReason::photometric_error;
   if (align.inliers < config.min_inlier_ratio * align.visible)
     return SwitchReason::photometric_error;

@@ -26,5 +26,17 @@ TEST(Scenes, AFacadeIsTrackedInProportionToItsDepth) { expectGoodRunIn(SceneKind
 
 TEST(Scenes, APlanarDeskIsTrackedInProportionToItsDepth) { expectGoodRunIn(SceneKind::desk); }
 
+TEST(Scenes, AFacadeWhoseBaysAreAlikeIsNotTakenForItselfOneBayFurther) {
+  constexpr int kWalkFrames = 200;    // 13 m, nearly five bays
+  constexpr double kMaxAte_m = 0.05;  // a brick is 0.3 m, a bay 2.7 m
+  synthetic::SequenceOptions options = roomWalk(kWalkFrames);
+  options.scene = SceneKind::arcade;
+  options.motion.kind = synthetic::MotionKind::walk;
+  options.sensor.noise = 2.0;
+  const Playback run = play(options, inlineConfig());
+  EXPECT_THAT(run, IsTrackedToTheEnd());
+  EXPECT_LT(evaluate(run).ate_rmse_m, kMaxAte_m) << describe(run);
+}
+
 }  // namespace
 }  // namespace glide::test

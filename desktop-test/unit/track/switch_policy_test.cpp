@@ -55,6 +55,32 @@ TEST(SwitchPolicy, RefusesAPatchErrorThatJumps) {
   EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::photometric_error);
 }
 
+TEST(SwitchPolicy, RefusesAPoseThatNobodyExpectedWhenThePatchesFitWorseThere) {
+  DirectEvidence evidence = goodEvidence();
+  evidence.last_rms = 6.7;
+  evidence.align.rms = 14.5;  // below max_rms_growth
+  evidence.surprise = 0.17;   // half a metre and five degrees before a wall at six metres
+  evidence.usual_surprise = 0.01;
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::photometric_error);
+}
+
+TEST(SwitchPolicy, AcceptsAJerkOfTheHandThatThePatchesFollow) {
+  DirectEvidence evidence = goodEvidence();
+  evidence.last_rms = 5.0;
+  evidence.surprise = 0.17;
+  evidence.usual_surprise = 0.01;
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::none);
+}
+
+TEST(SwitchPolicy, AcceptsPatchesThatFitWorseWhereTheCameraWasExpected) {
+  DirectEvidence evidence = goodEvidence();
+  evidence.last_rms = 6.7;
+  evidence.align.rms = 14.5;
+  evidence.surprise = 0.03;
+  evidence.usual_surprise = 0.01;
+  EXPECT_EQ(decideSwitch(kConfig, evidence), SwitchReason::none);
+}
+
 TEST(SwitchPolicy, TakesNoJumpFromNoiseToNoiseForOne) {
   DirectEvidence evidence = goodEvidence();
   evidence.last_rms = 0.2;
