@@ -1,5 +1,7 @@
 #include "unit/session/sequence_fixture.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 namespace glide::test {
@@ -53,6 +55,7 @@ FrameResult SequenceFixture::feed(Session* session, const ImageU8& image) {
 
 Session makeSession(const Config& config) {
   Result<Session> session = Session::create(config);
+  EXPECT_TRUE(session.ok()) << session.error().message;
   return std::move(session.value());
 }
 
