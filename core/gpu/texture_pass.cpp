@@ -86,12 +86,11 @@ bool isSame(const Texture& a, const Texture& b) {
 
 }  // namespace
 
-TexturePass::TexturePass(std::string kernel, const GlCaps& caps, FrameSize frame, int group_size)
+TexturePass::TexturePass(TextureKernel kernel, const GlCaps& caps, FrameSize frame)
     : kernel_(std::move(kernel)),
       samples_external_(caps.has_external_essl3),
       draws_external_(caps.has_external),
-      frame_(frame),
-      group_size_(group_size) {}
+      frame_(frame) {}
 
 bool TexturePass::isPrepared(const Texture& texture) const {
   return isSame(texture, prepared_) && glIsTexture(texture.name) == GL_TRUE;
@@ -131,9 +130,13 @@ Status TexturePass::prepareProgram(bool external) {
   }
   std::optional<ComputeProgram>& program = is_sampled ? external_ : plain_;
   if (program) return Unit{};
-  Result<ComputeProgram> built = ComputeProgram::create(
-      kernel_,
-      {{"EXTERNAL_TEXTURE", is_sampled ? 1 : 0}, {"GROUP_ROWS", group_size_ / kGroupWidth}});
+  const ShaderDefines defines{{"EXTERNAL_TEXTURE", is_sampled ? 1 : 0},
+                              {"GROUP_ROWS", kernel_.group_size / kGroupWidth}};
+  Result<ComputeProgram> built = ComputeProgram::create(kernel_.shader, defines, kernel_.programs);
+  if (!built && is_sampled && draws_external_) {
+    samples_external_ = false;  // the driver has the extension in name only
+    return prepareProgram(external);
+  }
   if (!built) return built.error();
   program = std::move(*built);
   return Unit{};

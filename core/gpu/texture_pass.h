@@ -21,14 +21,21 @@ struct TextureBinding {
   std::optional<ScopedTextureBinding> external;
 };
 
+/// A kernel of shaders/ that includes texture_source.glsl.
+struct TextureKernel {
+  std::string shader;
+  int group_size = 64;      ///< 32, 64 or 128
+  ProgramCache programs{};  ///< where it is taken from and left
+};
+
 /// A compute kernel over the frame that an app's texture shows (shaders/texture_source.glsl). What
 /// a kind of texture needs is built when the first of it comes: most apps pass one kind, or none.
 /// An external texture is sampled by the kernel where ESSL 3 can do that, else drawn into one of
 /// ours first (ExternalDraw). All calls are made inside of a ScopedGlState.
 class TexturePass {
  public:
-  /// Of shaders/`kernel`. Makes no GL call.
-  TexturePass(std::string kernel, const GlCaps& caps, FrameSize frame, int group_size);
+  /// Makes no GL call.
+  TexturePass(TextureKernel kernel, const GlCaps& caps, FrameSize frame);
 
   /// Whether prepare() has seen this texture last, and it still exists: a cheap question.
   bool isPrepared(const Texture& texture) const;
@@ -42,7 +49,7 @@ class TexturePass {
   void bind(const Texture& texture, GlStatePolicy policy, TextureBinding* binding) const;
 
   FrameSize frame() const { return frame_; }
-  int groupSize() const { return group_size_; }
+  int groupSize() const { return kernel_.group_size; }
   void abandon();
 
  private:
@@ -52,10 +59,9 @@ class TexturePass {
   void bindExternal(const Texture& texture, GlStatePolicy policy, TextureBinding* binding) const;
   void bindDrawn(const Texture& texture, GlStatePolicy policy) const;
 
-  std::string kernel_;
+  TextureKernel kernel_;
   bool samples_external_, draws_external_;  ///< which way to external textures there is
   FrameSize frame_;
-  int group_size_;
   std::optional<ComputeProgram> plain_, external_;
   std::optional<ExternalDraw> draw_;
   GlSampler nearest_, linear_;

@@ -21,7 +21,8 @@ std::int64_t bytesOf(const ImageU8& luma) {
 
 Result<std::unique_ptr<TextureReader>> TextureReader::create(const GlCaps& caps,
                                                              FrameSize frame,
-                                                             GlStatePolicy policy) {
+                                                             GlStatePolicy policy,
+                                                             const ProgramCache& programs) {
   Result<GlHome> home = GlHome::create();
   if (!home) return home.error();
   const ScopedGlState state(policy);
@@ -29,7 +30,7 @@ Result<std::unique_ptr<TextureReader>> TextureReader::create(const GlCaps& caps,
   GlBuffer bytes = GlBuffer::allocate(bytesOf(layout), GL_DYNAMIC_READ);
   if (!bytes.isComplete()) return outOfMemory("reading textures back");
   home->leave();
-  TexturePass pass("texture_to_bytes.comp", caps, frame, kGroupSize);
+  TexturePass pass({"texture_to_bytes.comp", kGroupSize, programs}, caps, frame);
   return std::unique_ptr<TextureReader>(
       new TextureReader(std::move(*home), std::move(pass), std::move(bytes), policy));
 }

@@ -20,7 +20,8 @@ class TextureReader {
   /// gl when there is no memory. Programs are built when a texture comes.
   static Result<std::unique_ptr<TextureReader>> create(const GlCaps& caps,
                                                        FrameSize frame,
-                                                       GlStatePolicy policy);
+                                                       GlStatePolicy policy,
+                                                       const ProgramCache& programs);
   ~TextureReader();
   TextureReader(const TextureReader&) = delete;
   TextureReader& operator=(const TextureReader&) = delete;

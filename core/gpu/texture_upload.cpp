@@ -5,8 +5,11 @@ namespace {
 constexpr int kGroupWidth = 32;  // local_size_x of the kernel
 }
 
-TextureUpload::TextureUpload(const GlCaps& caps, FrameSize frame, int group_size)
-    : pass_("texture_to_float.comp", caps, frame, group_size) {}
+TextureUpload::TextureUpload(const GlCaps& caps,
+                             FrameSize frame,
+                             int group_size,
+                             const ProgramCache& programs)
+    : pass_({"texture_to_float.comp", group_size, programs}, caps, frame) {}
 
 Status TextureUpload::run(const Texture& texture,
                           const GlTexture& level0,

@@ -10,7 +10,7 @@ namespace glide {
 class TextureUpload {
  public:
   /// Makes no GL call: programs are built when a texture comes.
-  TextureUpload(const GlCaps& caps, FrameSize frame, int group_size);
+  TextureUpload(const GlCaps& caps, FrameSize frame, int group_size, const ProgramCache& programs);
 
   /// Converts into `level0`, barriered for texture fetches. Errors as TexturePass::prepare. Inside
   /// of a ScopedGlState of that policy.

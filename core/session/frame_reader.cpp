@@ -9,7 +9,9 @@
 #include <variant>
 
 #if defined(GLIDE_GLES)
+#include "gpu/device_cache.h"
 #include "gpu/gl_caps.h"
+#include "gpu/program_cache.h"
 #include "gpu/texture_placement.h"
 #include "gpu/texture_reader.h"
 #endif
@@ -29,7 +31,7 @@ FrameReader::FrameReader(const Config& config, Backend backend)
     : width_(config.camera.width),
       height_(config.camera.height),
       backend_(backend),
-      policy_(config.gl.state) {}
+      options_(config.gl) {}
 
 FrameReader::~FrameReader() = default;
 
@@ -94,7 +96,8 @@ Status FrameReader::ensureGl() {
   const Result<GlCaps> caps = GlCaps::query();
   if (!caps)
     return Error{caps.error().code, "FrameInput.image is a texture: " + caps.error().message};
-  auto reader = TextureReader::create(*caps, {width_, height_}, policy_);
+  const ProgramCache programs(DeviceCache(options_.cache_dir, *caps), *caps);
+  auto reader = TextureReader::create(*caps, {width_, height_}, options_.state, programs);
   if (!reader) return reader.error();
   gl_ = std::make_unique<Gl>(Gl{std::move(*reader)});
   return Unit{};

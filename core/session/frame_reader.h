@@ -55,7 +55,7 @@ class FrameReader {
 
   int width_, height_;
   Backend backend_;
-  GlStatePolicy policy_;
+  Config::Gl options_;
   std::unique_ptr<Gl> gl_;  ///< made for the first texture
   FrameImage image_;
   ImageU8 bytes_;         ///< of a texture, once somebody asked

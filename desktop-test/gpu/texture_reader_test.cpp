@@ -121,13 +121,13 @@ class TextureReaderTest : public GlTest {
     const GlTexture level0 = GlTexture::allocate(GL_R32F, frame.width, frame.height);
     {
       const ScopedGlState state(GlStatePolicy::preserve);
-      TextureUpload upload(caps, frame, kGroupSize);
+      TextureUpload upload(caps, frame, kGroupSize, ProgramCache());
       GpuCommands commands;
       const Status uploaded = upload.run(texture, level0, GlStatePolicy::preserve, commands);
       ASSERT_TRUE(uploaded.ok()) << uploaded.error().message;
     }
     EXPECT_EQ(differences(expected, readTexture(level0)), 0) << "level 0";
-    const auto reader = TextureReader::create(caps, frame, GlStatePolicy::preserve);
+    const auto reader = TextureReader::create(caps, frame, GlStatePolicy::preserve, ProgramCache());
     ASSERT_TRUE(reader.ok()) << reader.error().message;
     const Status checked = (*reader)->check(texture);
     ASSERT_TRUE(checked.ok()) << checked.error().message;
@@ -153,7 +153,8 @@ class TextureReaderTest : public GlTest {
   }
 
   std::string refusal(const Texture& texture) {
-    const auto reader = TextureReader::create(caps(), {64, 48}, GlStatePolicy::preserve);
+    const auto reader =
+        TextureReader::create(caps(), {64, 48}, GlStatePolicy::preserve, ProgramCache());
     const Status status = (*reader)->check(texture);
     return status ? "" : status.error().message;
   }
@@ -212,7 +213,8 @@ TEST_F(TextureReaderTest, NamesWhatItCannotRead) {
   EXPECT_EQ(glIsTexture(12345), GL_FALSE) << "asking must not make one";
   GlCaps without = caps();
   without.has_external = without.has_external_essl3 = false;
-  const auto reader = TextureReader::create(without, {64, 48}, GlStatePolicy::preserve);
+  const auto reader =
+      TextureReader::create(without, {64, 48}, GlStatePolicy::preserve, ProgramCache());
   const Status status = (*reader)->check({small.get(), GL_TEXTURE_EXTERNAL_OES, 64, 48});
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::unsupported);
@@ -230,7 +232,8 @@ TEST_F(TextureReaderTest, NamesATextureOfAnotherTarget) {
 }
 
 TEST_F(TextureReaderTest, RefusesAndroidBuffersElsewhere) {
-  const auto reader = TextureReader::create(caps(), {64, 48}, GlStatePolicy::preserve);
+  const auto reader =
+      TextureReader::create(caps(), {64, 48}, GlStatePolicy::preserve, ProgramCache());
   const Result<Texture> texture = (*reader)->import(HardwareBuffer{});
   ASSERT_FALSE(texture.ok());
   EXPECT_EQ(texture.error().code, ErrorCode::unsupported);
