@@ -32,7 +32,7 @@ LIBRARIES = [
     (r"(gtest|gmock|benchmark|CLI|nlohmann|yaml-cpp|spdlog|fmt)/", r"(?!)", "core does without this library"),
 ]
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
-STANDARD_HEADER = re.compile(r"[a-z_]+")
+STANDARD_HEADER = re.compile(r"[a-z_]+|(stddef|stdint|string)\.h")  # the last for the C ABI
 
 
 def layer_of(path):
