@@ -29,6 +29,12 @@ void reduce(int count) {
 
 void putPartial(int k, float value) { partial[k * kRowStride + int(gl_LocalInvocationID.x)] = value; }
 
+void putPartials(int k, vec3 values) {
+  putPartial(k, values.x);
+  putPartial(k + 1, values.y);
+  putPartial(k + 2, values.z);
+}
+
 bool has_weights;  // whether an iteration of this alignment has left its weights
 
 // The weight of the previous iteration; all are one when a new alignment starts.
@@ -103,46 +109,87 @@ float huberThreshold(Exposure exposure) {
   return max(constants.robust.x * total[0] / exposure.weight, constants.robust.y);
 }
 
-void accumulatePoint(int point, Exposure exposure, float weight, inout float part[kEquationSums]) {
-  PointRecord record = records[recordIndex(level, point)];
-  float jx[6] = float[6](record.jx_head.x, record.jx_head.y, record.jx_head.z, record.jx_head.w,
-                         record.jx_jy.x, record.jx_jy.y);
-  float jy[6] = float[6](record.jx_jy.z, record.jx_jy.w, record.jy_tail.x, record.jy_tail.y,
-                         record.jy_tail.z, record.jy_tail.w);
-  bool visible = sums[point].rest.y > 0.5;
-  vec2 along = visible ? weight * residualSums(point, exposure).yz : vec2(0.0);
-  float hessian_weight = constants.limits.w != 0 ? 1.0 : (visible ? weight : 0.0);
-  vec2 row_x = hessian_weight * record.gradients.zw;                        // Gxx Gxy
-  vec2 row_y = hessian_weight * vec2(record.gradients.w, record.rest.x);  // Gxy Gyy
-  int k = 0;
-  for (int r = 0; r < 6; ++r) {
-    vec2 left = jx[r] * row_x + jy[r] * row_y;
-    for (int c = 0; c <= r; ++c) part[k++] += left.x * jx[c] + left.y * jy[c];
-    part[21 + r] += jx[r] * along.x + jy[r] * along.y;
-  }
+// J of a point: rows of u and v, by translation and rotation.
+struct Rows {
+  vec3 u_v, u_w, v_v, v_w;
+};
+
+Rows rowsOf(int point) {
+  int at = recordIndex(level, point);
+  vec4 head = records[at].jx_head;
+  vec4 middle = records[at].jx_jy;
+  vec4 tail = records[at].jy_tail;
+  return Rows(head.xyz, vec3(head.w, middle.xy), vec3(middle.zw, tail.x), tail.yzw);
 }
 
-// Steps 4 and 5: new weights; total = H, b and the numbers that are reported.
-void formEquations(Exposure exposure, float threshold) {
-  float part[kEquationSums];
-  for (int k = 0; k < kEquationSums; ++k) part[k] = 0.0;
+// Step 4 and the right side: new weights, b and the numbers that are reported, as partial sums 21 to 30.
+void sumRightSide(Exposure exposure, float threshold) {
+  vec3 b_v = vec3(0.0);
+  vec3 b_w = vec3(0.0);
+  vec4 reported = vec4(0.0);  // w rho, w, inliers, contrast
+  for (int i = int(gl_LocalInvocationID.x); i < point_count; i += GROUP_SIZE) {
+    int at = recordIndex(level, i);
+    if (sums[i].rest.y < 0.5 || records[at].p_ref.w < 0.5) continue;
+    float rho = sums[i].rest.w;
+    bool inlier = rho <= threshold;
+    float weight = inlier || constants.limits.w != 0 ? 1.0 : threshold / rho;
+    sums[i].rest.z = weight;
+    reported += vec4(weight * rho, weight, inlier ? 1.0 : 0.0, sqrt(records[at].moments.y / float(kPatchPixels)));
+    vec2 along = weight * residualSums(i, exposure).yz;
+    Rows J = rowsOf(i);
+    b_v += J.u_v * along.x + J.v_v * along.y;
+    b_w += J.u_w * along.x + J.v_w * along.y;
+  }
+  putPartials(21, b_v);
+  putPartials(24, b_w);
+  putPartials(27, reported.xyz);
+  putPartial(30, reported.w);
+}
+
+// Step 5: H, as partial sums 0 to 20. Apart from the right side, because both would not fit into registers, and
+// written out, because an array that is indexed in loops would be in memory.
+void sumHessian() {
+  vec3 vv_diagonal = vec3(0.0);  // of translation
+  vec3 vv_below = vec3(0.0);     // 10 20 21
+  vec3 wv0 = vec3(0.0);
+  vec3 wv1 = vec3(0.0);
+  vec3 wv2 = vec3(0.0);
+  vec3 ww_diagonal = vec3(0.0);  // of rotation
+  vec3 ww_below = vec3(0.0);
   for (int i = int(gl_LocalInvocationID.x); i < point_count; i += GROUP_SIZE) {
     int at = recordIndex(level, i);
     if (records[at].p_ref.w < 0.5) continue;
-    float weight = sums[i].rest.z;
-    if (sums[i].rest.y > 0.5) {
-      float rho = sums[i].rest.w;
-      bool inlier = rho <= threshold;
-      weight = inlier || constants.limits.w != 0 ? 1.0 : threshold / rho;
-      sums[i].rest.z = weight;
-      part[27] += weight * rho;
-      part[28] += weight;
-      part[29] += inlier ? 1.0 : 0.0;
-      part[30] += sqrt(records[at].moments.y / float(kPatchPixels));
-    }
-    accumulatePoint(i, exposure, weight, part);
+    float weight = constants.limits.w != 0 ? 1.0 : sums[i].rest.z * step(0.5, sums[i].rest.y);
+    vec2 xx_xy = weight * records[at].gradients.zw;
+    float yy = weight * records[at].rest.x;
+    Rows J = rowsOf(i);
+    vec3 u = J.u_v * xx_xy.x + J.v_v * xx_xy.y;
+    vec3 v = J.u_v * xx_xy.y + J.v_v * yy;
+    vv_diagonal += u * J.u_v + v * J.v_v;
+    vv_below += u.yzz * J.u_v.xxy + v.yzz * J.v_v.xxy;
+    u = J.u_w * xx_xy.x + J.v_w * xx_xy.y;
+    v = J.u_w * xx_xy.y + J.v_w * yy;
+    wv0 += u.x * J.u_v + v.x * J.v_v;
+    wv1 += u.y * J.u_v + v.y * J.v_v;
+    wv2 += u.z * J.u_v + v.z * J.v_v;
+    ww_diagonal += u * J.u_w + v * J.v_w;
+    ww_below += u.yzz * J.u_w.xxy + v.yzz * J.v_w.xxy;
   }
-  for (int k = 0; k < kEquationSums; ++k) putPartial(k, part[k]);
+  putPartials(0, vec3(vv_diagonal.x, vv_below.x, vv_diagonal.y));
+  putPartials(3, vec3(vv_below.yz, vv_diagonal.z));
+  putPartials(6, wv0);
+  putPartial(9, ww_diagonal.x);
+  putPartials(10, wv1);
+  putPartial(13, ww_below.x);
+  putPartial(14, ww_diagonal.y);
+  putPartials(15, wv2);
+  putPartials(18, vec3(ww_below.yz, ww_diagonal.z));
+}
+
+// Steps 4 and 5: total = H, b and the numbers that are reported.
+void formEquations(Exposure exposure, float threshold) {
+  sumRightSide(exposure, threshold);
+  sumHessian();
   reduce(kEquationSums);
 }
 

@@ -9,13 +9,11 @@ const float kHuge = 1e30;  // a step beyond is not finite for our purposes
 
 // Length of the step, as a twist; kHuge, and the alignment has failed, when there is none.
 float takeStep() {
-  float delta[6];
-  if (!solveDamped(delta)) {
+  vec3 v, w;
+  if (!solveDamped(v, w)) {
     state.counts.w = 1;
     return kHuge;
   }
-  vec3 v = vec3(delta[0], delta[1], delta[2]);
-  vec3 w = vec3(delta[3], delta[4], delta[5]);
   vec4 q_step;
   vec3 t_step;
   expTwist(-v, -w, q_step, t_step);
