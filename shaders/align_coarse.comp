@@ -2,7 +2,7 @@
 // All iterations of one level in ONE workgroup: align_residual.comp and align_solve.comp in a loop. For
 // levels where a dispatch and a barrier cost more than the work.
 //   in      buffer 0    PointRecord per point
-//           buffer 1    e, gx, gy per pixel
+//           buffer 1    e, gx, gy per pixel, in pairs
 //           texture 0   the frame's level, r32f
 //   in/out  buffer 2    PointSums per point
 //           buffer 3    AlignState
@@ -15,7 +15,7 @@ layout(local_size_x = GROUP_SIZE) in;
 #include "patch.glsl"
 #include "rigid.glsl"
 layout(std430, binding = 0) readonly buffer Records { PointRecord records[]; };
-layout(std430, binding = 1) readonly buffer Pixels { float pixels[]; };
+layout(std430, binding = 1) readonly buffer Pixels { vec2 pixels[]; };
 layout(std430, binding = 2) buffer Sums { PointSums sums[]; };
 layout(std430, binding = 3) buffer State { AlignState state; };
 layout(binding = 0) uniform sampler2D level_image;

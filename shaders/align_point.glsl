@@ -2,16 +2,29 @@
 #include "frame_patch.glsl"
 
 float mean;  // m0 of the patch
-int pixel;   // index of e of the next pixel
+int pair;    // index of e of the next pair of row 1 of the two that are walked
 vec4 intensity;
 float sy;
 
-void visitFramePixel(float i) {
+// Index of e of the next pair of a row; row 0 comes before row 1 in the cache.
+int indexOfRow(int row) { return row == 1 ? pair : pair - 3 * kRowPairs * constants.limits.x; }
+
+void visitFramePair(int row, vec2 i) {
   int stride = constants.limits.x;
+  int index = indexOfRow(row);
   i -= mean;
-  intensity += i * vec4(1.0, i, pixels[pixel], pixels[pixel + stride]);
-  sy += i * pixels[pixel + 2 * stride];
-  pixel += 3 * stride;
+  intensity += vec4(i.x + i.y, dot(i, i), dot(i, pixels[index]), dot(i, pixels[index + stride]));
+  sy += dot(i, pixels[index + 2 * stride]);
+  if (row == 1) pair += 3 * stride;
+}
+
+void visitFrameEnd(int row, float i) {
+  int stride = constants.limits.x;
+  int index = indexOfRow(row);
+  i -= mean;
+  intensity += i * vec4(1.0, i, pixels[index].x, pixels[index + stride].x);
+  sy += i * pixels[index + 2 * stride].x;
+  if (row == 1) pair += 3 * (kRowPairs + 1) * stride;  // over a row 0 to the next row 1
 }
 
 // Samples the frame around the point and writes S1 S2 Sc Sx Sy and whether it is visible.
@@ -28,7 +41,7 @@ void sumPoint(int point, vec4 q_cam_ref, vec3 t_cam_ref) {
               isInside(projected.uv, float(kHalfPatch), size, float(kHalfPatch + 1));
     if (visible) {
       mean = records[at].moments.x;
-      pixel = pixelIndex(level, point, 0, 0);
+      pair = pairIndex(level, point, 0, 0, 0);
       walkFramePatch(projected.uv);
     }
   }

@@ -4,7 +4,7 @@
 //   in   buffer 0    points in the reference camera (xyz, w unused)
 //        texture 0   the reference's level, r32f
 //   out  buffer 1    PointRecord per point
-//        buffer 2    e, gx, gy per pixel (pixelIndex)
+//        buffer 2    e, gx, gy per pixel, in pairs (pairIndex)
 //   one invocation per point, groups of GROUP_SIZE
 #include "common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
@@ -24,14 +24,16 @@ float m0;
 vec3 square_and_along = vec3(0.0);  // E, Ex, Ey
 vec4 gradients = vec4(0.0);         // Gx, Gy, Gxx, Gxy
 float gyy = 0.0;
-int first_pixel;  // index of e of pixel 0
+int first_pair;  // index of e of the first pair
 
-void visitPixel(int k, float i0, vec2 gradient) {
+void visitPixel(int row, int column, float i0, vec2 gradient) {
   float e = i0 - m0;
-  int index = first_pixel + 3 * k * constants.limits.x;
+  int stride = 2 * constants.limits.x;
+  int pair = first_pair + (row * kRowPairs + column / 2) * 3 * constants.limits.x;
+  int index = 2 * pair + column % 2;
   pixels[index] = e;
-  pixels[index + constants.limits.x] = gradient.x;
-  pixels[index + 2 * constants.limits.x] = gradient.y;
+  pixels[index + stride] = gradient.x;
+  pixels[index + 2 * stride] = gradient.y;
   square_and_along += e * vec3(e, gradient);
   gradients += vec4(gradient, gradient.x * gradient);
   gyy += gradient.y * gradient.y;
@@ -56,7 +58,7 @@ void main() {
   record.jy_tail = vec4(projected.J_v.z, wy);
   if (valid) {
     m0 = patchMean(projected.uv);
-    first_pixel = pixelIndex(level, point, 0, 0);
+    first_pair = pairIndex(level, point, 0, 0, 0);
     walkPatch(projected.uv);
   }
   record.moments = valid ? vec4(m0, square_and_along) : vec4(0.0);

@@ -3,6 +3,7 @@
 
 const int kHalfPatch = PATCH_SIZE / 2;
 const int kPatchPixels = PATCH_SIZE * PATCH_SIZE;
+const int kRowPairs = (PATCH_SIZE + 1) / 2;
 
 // Constants of one aligner.
 layout(std140, binding = 0) uniform AlignConstants {
@@ -41,10 +42,10 @@ struct AlignState {
   float hessian[24];  // lower triangle of H, row by row, 21 values
 };
 
-// Index of component c (0: e, 1: gx, 2: gy) of pixel k of a point: neighbours in a group are neighbours
-// in memory.
-int pixelIndex(int level, int point, int k, int c) {
-  return ((level * kPatchPixels + k) * 3 + c) * constants.limits.x + point;
+// Index of the pair of values c (0: e, 1: gx, 2: gy) of the pixels 2 x pair and 2 x pair + 1 of a patch's row:
+// neighbours in a group are neighbours in memory. The last pair of a row has one pixel.
+int pairIndex(int level, int point, int row, int pair, int c) {
+  return (((level * PATCH_SIZE + row) * kRowPairs + pair) * 3 + c) * constants.limits.x + point;
 }
 
 int recordIndex(int level, int point) { return level * constants.limits.x + point; }

@@ -28,8 +28,8 @@ float mean;
 float squares = 0.0;
 int slice;
 
-void visitPixel(int k, float i0, vec2 gradient) {
-  int at = slice + k * kSlice;
+void visitPixel(int row, int column, float i0, vec2 gradient) {
+  int at = slice + (row * PATCH_SIZE + column) * kSlice;
   cache[at] = i0;
   float J[6];
   int h = 0;

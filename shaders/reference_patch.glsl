@@ -3,8 +3,8 @@
 
 const int kWide = PATCH_SIZE + 2;  // the patch and one pixel around it, for the central differences
 
-// Takes pixel k (row by row) of the patch: its grey level and its derivative.
-void visitPixel(int k, float i0, vec2 gradient);
+// Takes a pixel of the patch: its grey level and its derivative.
+void visitPixel(int row, int column, float i0, vec2 gradient);
 
 // Mean of the patch around uv.
 float patchMean(vec2 uv) {
@@ -41,7 +41,7 @@ void walkPatch(vec2 uv) {
     if (y < 2) continue;
     for (int x = 0; x < PATCH_SIZE; ++x) {
       vec2 gradient = 0.5 * vec2(here[x + 2] - here[x], after[x + 1] - before[x + 1]);
-      visitPixel((y - 2) * PATCH_SIZE + x, here[x + 1], gradient);
+      visitPixel(y - 2, x, here[x + 1], gradient);
     }
   }
 }

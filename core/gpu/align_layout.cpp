@@ -7,9 +7,10 @@ namespace glide {
 
 std::int64_t cacheBytes(const GpuAlignSpec& spec) {
   const std::int64_t patch = spec.direct.patch_size;
-  const int pixel_floats = spec.tuning.plan == GpuPlan::paper ? kPaperPixelFloats : kPixelFloats;
-  return patch * patch * pixel_floats * spec.levels * spec.direct.max_points *
-         static_cast<std::int64_t>(sizeof(float));
+  const std::int64_t floats = spec.tuning.plan == GpuPlan::paper
+                                  ? patch * patch * kPaperPixelFloats
+                                  : patch * (patch + 1) * kPixelFloats;  // rows of whole pairs
+  return floats * spec.levels * spec.direct.max_points * static_cast<std::int64_t>(sizeof(float));
 }
 
 GpuAlignConstants alignConstants(const GpuAlignSpec& spec) {

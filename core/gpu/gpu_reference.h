@@ -28,7 +28,7 @@ class GpuReference {
   const PointOrder& order() const { return order_; }
   /// GpuPointRecord [level][max_points]; of a level those of its first order().count() points.
   const GlBuffer& records() const { return records_; }
-  /// Floats [level][pixel][e gx gy][max_points].
+  /// Floats [level][row][pair of pixels][e gx gy][max_points][2]; the last pair of a row has one.
   const GlBuffer& pixels() const { return pixels_; }
   bool isComplete() const { return allComplete(points_, records_, pixels_); }
   void abandon() { abandonAll(kernel_, points_, records_, pixels_); }

@@ -127,11 +127,16 @@ void expectSamePixels(const CacheContents& cache,
                       const TwinPoint& twin,
                       int level,
                       std::size_t point) {
-  const int n = spec.direct.patch_size * spec.direct.patch_size;
-  for (int k = 0; k < n * kPixelFloats; ++k) {
-    const int row = (level * n * kPixelFloats + k) * spec.direct.max_points;
-    const Vec3d& pixel = twin.pixels[static_cast<std::size_t>(k / kPixelFloats)];
-    ASSERT_NEAR(cache.pixels[static_cast<std::size_t>(row) + point], pixel[k % kPixelFloats], 0.02);
+  const int size = spec.direct.patch_size;
+  const int row_pairs = (size + 1) / 2;
+  for (int k = 0; k < size * size; ++k) {
+    const int pair = (level * size + k / size) * row_pairs + k % size / 2;
+    const Vec3d& pixel = twin.pixels[static_cast<std::size_t>(k)];
+    for (int c = 0; c < kPixelFloats; ++c) {
+      const int first = (pair * kPixelFloats + c) * spec.direct.max_points;
+      const std::size_t at = 2 * (static_cast<std::size_t>(first) + point);
+      ASSERT_NEAR(cache.pixels[at + static_cast<std::size_t>(k % size % 2)], pixel[c], 0.02);
+    }
   }
 }
 
