@@ -2,29 +2,24 @@
 #include "frame_patch.glsl"
 
 float mean;  // m0 of the patch
-int pair;    // index of e of the next pair of row 1 of the two that are walked
+int pair;    // index of e of the next pair
 vec4 intensity;
 float sy;
 
-// Index of e of the next pair of a row; row 0 comes before row 1 in the cache.
-int indexOfRow(int row) { return row == 1 ? pair : pair - 3 * kRowPairs * constants.limits.x; }
-
-void visitFramePair(int row, vec2 i) {
+void visitFramePair(vec2 i) {
   int stride = constants.limits.x;
-  int index = indexOfRow(row);
   i -= mean;
-  intensity += vec4(i.x + i.y, dot(i, i), dot(i, pixels[index]), dot(i, pixels[index + stride]));
-  sy += dot(i, pixels[index + 2 * stride]);
-  if (row == 1) pair += 3 * stride;
+  intensity += vec4(i.x + i.y, dot(i, i), dot(i, pixels[pair]), dot(i, pixels[pair + stride]));
+  sy += dot(i, pixels[pair + 2 * stride]);
+  pair += 3 * stride;
 }
 
-void visitFrameEnd(int row, float i) {
+void visitFrameEnd(float i) {
   int stride = constants.limits.x;
-  int index = indexOfRow(row);
   i -= mean;
-  intensity += i * vec4(1.0, i, pixels[index].x, pixels[index + stride].x);
-  sy += i * pixels[index + 2 * stride].x;
-  if (row == 1) pair += 3 * (kRowPairs + 1) * stride;  // over a row 0 to the next row 1
+  intensity += i * vec4(1.0, i, pixels[pair].x, pixels[pair + stride].x);
+  sy += i * pixels[pair + 2 * stride].x;
+  pair += 3 * stride;
 }
 
 // Samples the frame around the point and writes S1 S2 Sc Sx Sy and whether it is visible.

@@ -1,58 +1,36 @@
 // The patch of a point in the frame, interpolated without filtering hardware: r32f textures need not be
-// filterable in ES 3.1, and all pixels of a patch share one fractional position. One gather brings four texels;
-// from one pair of texel rows to the next only the lower row is kept, so that a GPU needs few registers. Needs
-// level_image; whoever includes it defines visitFramePair and visitFrameEnd.
+// filterable in ES 3.1, and all pixels of a patch share one fractional position. One gather brings two more
+// pixels, and two numbers of the last one are kept: holding a row would take so many registers that fewer
+// threads run at a time on a GPU. Needs level_image; whoever includes it defines visitFramePair and visitFrameEnd.
 
-const int kFullPairs = PATCH_SIZE / 2;  // of pixels in a row; one more pixel follows them
-
-// Takes the next two pixels of a row of the patch. Two rows are walked at a time: `row` is 0 or 1.
-void visitFramePair(int row, vec2 i);
+// Takes the next two pixels of the patch, row by row.
+void visitFramePair(vec2 i);
 // Takes the last pixel of a row.
-void visitFrameEnd(int row, float i);
+void visitFrameEnd(float i);
 
-// Visits every pixel of the patch around uv: the first row as row 1, then two rows at a time.
-void walkFramePatch(vec2 uv) {
-  vec2 corner = floor(uv);
-  vec2 fraction = uv - corner;
-  vec2 texel = 1.0 / vec2(textureSize(level_image, 0));
-  // The corner in the middle of the first four texels, where rounding cannot choose others.
-  vec2 left = (corner - float(kHalfPatch - 1)) * texel;
-  // The texel row above, interpolated along x. Loops over an array that run once over all of it are unrolled by
-  // every compiler that we know.
-  vec2 above[kFullPairs];
-  float above_end;
-
-  vec2 at = left;
+// Texel columns x and x + 1, interpolated along y. `at` is the corner in the middle of the four texels, where
+// rounding cannot choose others.
+vec2 gatherColumns(vec2 at, float fraction) {
   vec4 quad = textureGather(level_image, at);
-  for (int x = 0; x < kFullPairs; ++x) {
-    at.x += 2.0 * texel.x;
-    vec4 next = textureGather(level_image, at);
-    vec2 upper = mix(quad.wz, vec2(quad.z, next.w), fraction.x);
-    above[x] = mix(quad.xy, vec2(quad.y, next.x), fraction.x);
-    visitFramePair(1, mix(upper, above[x], fraction.y));
-    quad = next;
-  }
-  vec2 ends = mix(quad.wx, quad.zy, fraction.x);
-  visitFrameEnd(1, mix(ends.x, ends.y, fraction.y));
-  above_end = ends.y;
+  return mix(quad.wz, quad.xy, fraction);
+}
 
-  for (int y = 0; y < kFullPairs; ++y) {
-    left.y += 2.0 * texel.y;
-    at = left;
-    quad = textureGather(level_image, at);
-    for (int x = 0; x < kFullPairs; ++x) {
+// Visits every pixel of the patch around uv. The loops start at numbers that are not constant: unrolled, they
+// would ask for many texels at once.
+void walkFramePatch(vec2 uv) {
+  ivec2 first = ivec2(floor(uv)) - kHalfPatch;
+  ivec2 end = first + PATCH_SIZE;
+  vec2 fraction = fract(uv);
+  vec2 texel = 1.0 / vec2(textureSize(level_image, 0));
+  for (int y = first.y; y < end.y; ++y) {
+    vec2 at = vec2(first.x + 1, y + 1) * texel;
+    vec2 columns = gatherColumns(at, fraction.y);
+    for (int x = first.x + 2; x < end.x; x += 2) {
       at.x += 2.0 * texel.x;
-      vec4 next = textureGather(level_image, at);
-      vec2 upper = mix(quad.wz, vec2(quad.z, next.w), fraction.x);
-      vec2 lower = mix(quad.xy, vec2(quad.y, next.x), fraction.x);
-      visitFramePair(0, mix(above[x], upper, fraction.y));
-      visitFramePair(1, mix(upper, lower, fraction.y));
-      above[x] = lower;
-      quad = next;
+      vec2 next = gatherColumns(at, fraction.y);
+      visitFramePair(mix(columns, vec2(columns.y, next.x), fraction.x));
+      columns = next;
     }
-    ends = mix(quad.wx, quad.zy, fraction.x);
-    visitFrameEnd(0, mix(above_end, ends.x, fraction.y));
-    visitFrameEnd(1, mix(ends.x, ends.y, fraction.y));
-    above_end = ends.y;
+    visitFrameEnd(mix(columns.x, columns.y, fraction.x));
   }
 }
