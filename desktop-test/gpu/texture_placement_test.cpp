@@ -1,5 +1,7 @@
 #include "gpu/texture_placement.h"
 
+#include "support/app_texture.h"
+
 #include "gpu/gl.h"
 
 #include <gmock/gmock.h>
@@ -17,11 +19,6 @@ constexpr FrameSize kFrame{640, 480};
 
 Texture textureOf(int width, int height, const TextureTransform& transform) {
   return {1, GL_TEXTURE_2D, width, height, transform};
-}
-
-/// Maps (s, t) to (a s + b t + c, d s + e t + f).
-TextureTransform affine(float a, float b, float c, float d, float e, float f) {
-  return {a, d, 0.0F, 0.0F, b, e, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, c, f, 0.0F, 1.0F};
 }
 
 /// Texel that pixel (x, y) is sampled at; its centre is at half numbers.
@@ -57,7 +54,7 @@ TEST(TexturePlacement, PutsTheFirstRowOfMemoryOnTopUnlessToldOtherwise) {
 
 TEST(TexturePlacement, TurnsWithTheTransform) {
   // A phone's camera is mounted sideways: SurfaceTexture turns its 480x640 buffer by a quarter.
-  const Texture turned = textureOf(480, 640, affine(0, 1, 0, 1, 0, 0));
+  const Texture turned = textureOf(480, 640, affineTransform({0, 1, 0}, {1, 0, 0}));
   EXPECT_EQ(refusal(turned), "");
   expectTexel(texelAt(turned, 0, 0), 479.5F, 0.5F);
   expectTexel(texelAt(turned, 639, 0), 479.5F, 639.5F);
@@ -66,12 +63,16 @@ TEST(TexturePlacement, TurnsWithTheTransform) {
 
 TEST(TexturePlacement, KnowsWhenPixelsAreTexels) {
   EXPECT_TRUE(placeTexture(textureOf(640, 480, kUpperRowFirst), kFrame).hits_texels);
-  EXPECT_TRUE(placeTexture(textureOf(480, 640, affine(0, 1, 0, 1, 0, 0)), kFrame).hits_texels);
+  EXPECT_TRUE(
+      placeTexture(textureOf(480, 640, affineTransform({0, 1, 0}, {1, 0, 0})), kFrame).hits_texels);
   // A crop by whole texels out of twice the size, and one by half texels.
-  EXPECT_TRUE(placeTexture(textureOf(1280, 960, affine(0.5F, 0, 0.25F, 0, -0.5F, 0.75F)), kFrame)
-                  .hits_texels);
+  EXPECT_TRUE(
+      placeTexture(textureOf(1280, 960, affineTransform({0.5F, 0, 0.25F}, {0, -0.5F, 0.75F})),
+                   kFrame)
+          .hits_texels);
   EXPECT_FALSE(
-      placeTexture(textureOf(1280, 960, affine(0.5F, 0, 0.5F / 1280, 0, -0.5F, 0.75F)), kFrame)
+      placeTexture(textureOf(1280, 960, affineTransform({0.5F, 0, 0.5F / 1280}, {0, -0.5F, 0.75F})),
+                   kFrame)
           .hits_texels);
   EXPECT_FALSE(placeTexture(textureOf(1280, 960, kUpperRowFirst), kFrame).hits_texels);
 }
@@ -81,7 +82,9 @@ TEST(TexturePlacement, AcceptsAnyScaleThatKeepsTheAspect) {
   EXPECT_EQ(refusal(textureOf(320, 240, kUpperRowFirst)), "");
   // SurfaceTexture shrinks the crop of a buffer by a texel on each side.
   EXPECT_EQ(refusal(textureOf(
-                640, 480, affine(638.0F / 640, 0, 1.0F / 640, 0, -478.0F / 480, 479.0F / 480))),
+                640,
+                480,
+                affineTransform({638.0F / 640, 0, 1.0F / 640}, {0, -478.0F / 480, 479.0F / 480}))),
             "");
 }
 
@@ -97,9 +100,12 @@ TEST(TexturePlacement, RefusesWhatIsNoTextureAndNamesIt) {
 
 TEST(TexturePlacement, RefusesTransformsThatDistort) {
   EXPECT_THAT(refusal(textureOf(480, 640, kUpperRowFirst)), HasSubstr("480x640"));
-  EXPECT_THAT(refusal(textureOf(640, 480, affine(0, 0, 0, 0, 0, 0))), HasSubstr("stretched"));
-  EXPECT_THAT(refusal(textureOf(640, 480, affine(1, 0.2F, 0, 0, 1, 0))), HasSubstr("stretched"));
-  EXPECT_THAT(refusal(textureOf(640, 480, affine(1, 0, 0.1F, 0, 1, 0))), HasSubstr("leaves"));
+  EXPECT_THAT(refusal(textureOf(640, 480, affineTransform({0, 0, 0}, {0, 0, 0}))),
+              HasSubstr("stretched"));
+  EXPECT_THAT(refusal(textureOf(640, 480, affineTransform({1, 0.2F, 0}, {0, 1, 0}))),
+              HasSubstr("stretched"));
+  EXPECT_THAT(refusal(textureOf(640, 480, affineTransform({1, 0, 0.1F}, {0, 1, 0}))),
+              HasSubstr("leaves"));
   TextureTransform perspective = kUpperRowFirst;
   perspective[3] = 0.1F;
   EXPECT_THAT(refusal(textureOf(640, 480, perspective)), HasSubstr("affine"));

@@ -20,11 +20,6 @@ using ::testing::HasSubstr;
 
 constexpr int kGroupSize = 64;
 
-/// Maps (s, t) to (a s + b t + c, d s + e t + f).
-TextureTransform affine(float a, float b, float c, float d, float e, float f) {
-  return {a, d, 0.0F, 0.0F, b, e, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, c, f, 0.0F, 1.0F};
-}
-
 /// Random colours, and the grey levels that OpenCV's cvtColor gives them.
 struct Colours {
   std::vector<std::uint8_t> rgba;
@@ -77,15 +72,15 @@ std::vector<Layout> layouts(int width, int height) {
        {width, height},
        [=](int x, int y) { return std::pair(x, last_y - y); }},
       {"mirrored",
-       affine(-1, 0, 1, 0, -1, 1),
+       affineTransform({-1, 0, 1}, {0, -1, 1}),
        {width, height},
        [=](int x, int y) { return std::pair(last_x - x, y); }},
       {"turned by a quarter",
-       affine(0, 1, 0, 1, 0, 0),
+       affineTransform({0, 1, 0}, {1, 0, 0}),
        {height, width},
        [=](int x, int y) { return std::pair(last_x - y, x); }},
       {"cropped",
-       affine(crop_w, 0, kLeft / w, 0, -crop_h, kUpper / h + crop_h),
+       affineTransform({crop_w, 0, kLeft / w}, {0, -crop_h, kUpper / h + crop_h}),
        crop,
        [](int x, int y) { return std::pair(x + kLeft, y + kUpper); }},
   };

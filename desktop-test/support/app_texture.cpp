@@ -53,6 +53,17 @@ void upload(GLuint texture, GLenum format, int width, int height, const std::uin
 
 }  // namespace
 
+TextureTransform affineTransform(const std::array<float, 3>& u, const std::array<float, 3>& v) {
+  TextureTransform m = kLowerRowFirst;
+  for (std::size_t i : {0U, 1U}) {
+    m[4 * i] = u[i];
+    m[4 * i + 1] = v[i];
+  }
+  m[12] = u[2];
+  m[13] = v[2];
+  return m;
+}
+
 Result<AppTexture> AppTexture::create(AppTextureKind kind, int width, int height) {
   AppTexture made;
   made.kind_ = kind;

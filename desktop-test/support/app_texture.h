@@ -7,10 +7,14 @@
 #include "glide/frame.h"
 #include "glide/result.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace glide::test {
+
+/// Maps (s, t) to (u[0] s + u[1] t + u[2], v[0] s + v[1] t + v[2]).
+TextureTransform affineTransform(const std::array<float, 3>& u, const std::array<float, 3>& v);
 
 enum class AppTextureKind {
   r8,        ///< GL_TEXTURE_2D, the luma in red
@@ -22,7 +26,7 @@ enum class AppTextureKind {
 /// it changes the binding of the active texture unit.
 class AppTexture {
  public:
-  /// unsupported where EGL makes no image of a texture (softpipe, zink).
+  /// unsupported where EGL makes no image of a texture.
   static Result<AppTexture> create(AppTextureKind kind, int width, int height);
 
   /// Grey images; the first row of the image becomes the first of the memory.
