@@ -16,3 +16,14 @@ function(glide_driver_test name driver)
   set_tests_properties(${name}_${driver} PROPERTIES LABELS "gpu;driver-${driver}" SKIP_RETURN_CODE 77 TIMEOUT 600
     ENVIRONMENT "${ARG_ENVIRONMENT}")
 endfunction()
+
+# glide_limits_test(NAME COMMAND ... [ENVIRONMENT ...]): the test NAME_limits_llvmpipe, on a device with the least that
+# OpenGL ES 3.1 allows (desktop-test/gl_limits).
+function(glide_limits_test name)
+  cmake_parse_arguments(ARG "" "" "COMMAND;ENVIRONMENT" ${ARGN})
+  if(TARGET glide_gl_limits)
+    glide_driver_test(${name}_limits llvmpipe
+      COMMAND env LD_PRELOAD=$<TARGET_FILE:glide_gl_limits> MESA_GLES_VERSION_OVERRIDE=3.1 ${ARG_COMMAND}
+      ENVIRONMENT ${ARG_ENVIRONMENT})
+  endif()
+endfunction()

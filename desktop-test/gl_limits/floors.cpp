@@ -1,5 +1,8 @@
 #include "gl_limits/floors.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace glide::gl_limits {
 namespace {
 
@@ -37,6 +40,10 @@ constexpr Floor kFloors[] = {
     {GL_NUM_PROGRAM_BINARY_FORMATS, 0},
 };
 
+constexpr std::string_view kHidden[] = {"GL_EXT_disjoint_timer_query",
+                                        "GL_OES_EGL_image_external_essl3",
+                                        "GL_OES_texture_float_linear"};
+
 }  // namespace
 
 std::optional<int> floorOf(GLenum pname) {
@@ -44,6 +51,10 @@ std::optional<int> floorOf(GLenum pname) {
     if (floor.pname == pname) return floor.value;
   }
   return std::nullopt;
+}
+
+bool isHidden(std::string_view extension) {
+  return std::find(std::begin(kHidden), std::end(kHidden), extension) != std::end(kHidden);
 }
 
 }  // namespace glide::gl_limits

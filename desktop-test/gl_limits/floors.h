@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace glide::gl_limits {
 
@@ -25,5 +26,10 @@ inline constexpr std::int64_t kStorageBytes = std::int64_t{1} << 27;
 /// What the floor device answers to glGetIntegerv(pname): the floor, or nothing where the driver's
 /// own value stands.
 std::optional<int> floorOf(GLenum pname);
+
+/// Whether the floor device hides an extension of the driver: those that the library uses where
+/// they are there and does without where not. (External textures stay: only fragment shaders sample
+/// them then.)
+bool isHidden(std::string_view extension);
 
 }  // namespace glide::gl_limits

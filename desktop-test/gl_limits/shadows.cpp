@@ -93,6 +93,16 @@ GLIDE_SHADOW glGetIntegeri_v(GLenum target, GLuint index, GLint* data) {
   if (target == GL_MAX_COMPUTE_WORK_GROUP_COUNT) *data = kGroupCount;
 }
 
+/// A hidden extension leaves an empty name in the list.
+__attribute__((visibility("default"))) const GLubyte* GL_APIENTRY glGetStringi(GLenum name,
+                                                                               GLuint index) {
+  const GLubyte* text = GLIDE_REAL_GL(glGetStringi)(name, index);
+  if (name != GL_EXTENSIONS || text == nullptr) return text;
+  return isHidden(reinterpret_cast<const char*>(text))
+             ? text + std::strlen(reinterpret_cast<const char*>(text))
+             : text;
+}
+
 GLIDE_SHADOW glLinkProgram(GLuint program) {
   GLIDE_REAL_GL(glLinkProgram)(program);
   setReason(program, judge(program));

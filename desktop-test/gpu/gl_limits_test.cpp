@@ -52,6 +52,8 @@ TEST_F(UnderGlLimits, CapsAreTheFloors) {
   EXPECT_EQ(caps().max_texture_size, 2048);
   EXPECT_EQ(caps().max_storage_bytes, 1 << 27);
   EXPECT_FALSE(caps().has_timer_query);
+  EXPECT_TRUE(caps().has_external);
+  EXPECT_FALSE(caps().has_external_essl3);
 }
 
 TEST_F(UnderGlLimits, AGroupHas128Invocations) {
