@@ -7,6 +7,7 @@
 #include "glide/enum_names.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 
@@ -24,17 +25,13 @@ constexpr int kLargeSingleGroup = 100'000;
 /// One step away from the best so far.
 using Change = void (*)(GpuTuning*);
 
-std::vector<Change> changes(const DriverQuirks& quirks) {
-  std::vector<Change> all{
-      [](GpuTuning* tuning) { tuning->group_size = 128; },
-      [](GpuTuning* tuning) { tuning->group_size = 32; },
-      [](GpuTuning* tuning) { tuning->single_group_pixels = 0; },
-      [](GpuTuning* tuning) { tuning->single_group_pixels = kLargeSingleGroup; },
-  };
-  if (!quirks.has_dear_barriers)
-    all.push_back([](GpuTuning* tuning) { tuning->pyramid = PyramidKernel::tile; });
-  return all;
-}
+constexpr std::array<Change, 5> kChanges{
+    [](GpuTuning* tuning) { tuning->group_size = 128; },
+    [](GpuTuning* tuning) { tuning->group_size = 32; },
+    [](GpuTuning* tuning) { tuning->pyramid = PyramidKernel::tile; },
+    [](GpuTuning* tuning) { tuning->single_group_pixels = 0; },
+    [](GpuTuning* tuning) { tuning->single_group_pixels = kLargeSingleGroup; },
+};
 
 /// The best candidate so far, and the time that is left.
 class Race {
@@ -92,17 +89,17 @@ GpuTuning paperTuning() {
   return tuning;
 }
 
-bool mayTry(const Config& config, const DeviceCache& files) {
+bool mayTry(const Config& config, const DriverQuirks& quirks, const DeviceCache& files) {
   return config.gl.autotune == GpuAutotune::on && config.execution == Execution::threaded &&
-         files.isKept();
+         files.isKept() && !quirks.has_slow_builds;
 }
 
 }  // namespace
 
-GpuTuning fastestTuning(const DriverQuirks& quirks, const TuningProbe& probe) {
+GpuTuning fastestTuning(const TuningProbe& probe) {
   Race race(probe);
   race.enter(GpuTuning{});
-  for (const Change change : changes(quirks)) {
+  for (const Change change : kChanges) {
     GpuTuning candidate = race.best();
     change(&candidate);
     if (!race.hasTime()) return race.best();
@@ -125,8 +122,8 @@ GpuTuning chooseTuning(const Config& config,
   if (const auto kept = files.load(kKind, key)) {
     if (const std::optional<GpuTuning> tuning = decodeTuning(*kept)) return *tuning;
   }
-  if (!mayTry(config, files)) return GpuTuning{};
-  const GpuTuning fastest = fastestTuning(quirks, probe);
+  if (!mayTry(config, quirks, files)) return GpuTuning{};
+  const GpuTuning fastest = fastestTuning(probe);
   files.store(kKind, key, encodeTuning(fastest));
   return fastest;
 }

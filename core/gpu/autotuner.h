@@ -26,13 +26,13 @@ struct TuningProbe {
 /// Tries GpuTuning's defaults and then what may be faster, one property after the other, and gives
 /// back the fastest. Begins nothing that would end after kTuningBudgetMs if it took as long as the
 /// slowest candidate so far. A candidate has to win clearly: on equal devices the defaults stay.
-GpuTuning fastestTuning(const DriverQuirks& quirks, const TuningProbe& probe);
+GpuTuning fastestTuning(const TuningProbe& probe);
 
 /// What a session's aligner runs with: the paper's plan when the configuration says so; else what
 /// `files` keep of this device, image size and patch; else, when it may be tried and kept, the
 /// fastest; else the defaults. Measured times differ from run to run, and the group size decides
 /// in which order sums are rounded: so Execution::inline_, which promises the same bytes, tries
-/// nothing.
+/// nothing. Nor do drivers that are slow to build programs.
 GpuTuning chooseTuning(const Config& config,
                        const DriverQuirks& quirks,
                        const DeviceCache& files,

@@ -9,9 +9,8 @@ namespace {
 
 constexpr std::string_view kOnTheCpu =
     "rasterises on the CPU, where the library's own vectorised code is faster";
-constexpr std::string_view kSplitAtBarriers =
-    "runs a workgroup piece by piece between barriers and keeps all registers in memory there: "
-    "pyramid_tile takes twice the time of pyramid_strip";
+constexpr std::string_view kBuildsLate =
+    "makes machine code when a kernel first runs: 2 to 3 s for those of a frame";
 
 constexpr std::array kQuirks{
     // lavapipe under zink and ANGLE has this name, too.
@@ -28,19 +27,16 @@ constexpr std::array kQuirks{
                 kOnTheCpu},
     DriverQuirk{
         "SwiftShader is software", {"", "swiftshader", ""}, &DriverQuirks::is_software, kOnTheCpu},
-    DriverQuirk{"llvmpipe splits kernels at barriers",
-                {"", "llvmpipe", ""},
-                &DriverQuirks::has_dear_barriers,
-                kSplitAtBarriers},
-    DriverQuirk{"softpipe splits kernels at barriers",
-                {"", "softpipe", ""},
-                &DriverQuirks::has_dear_barriers,
-                kSplitAtBarriers},
-    DriverQuirk{"SwiftShader runs invocations as coroutines",
+    DriverQuirk{
+        "llvmpipe builds late", {"", "llvmpipe", ""}, &DriverQuirks::has_slow_builds, kBuildsLate},
+    DriverQuirk{"SwiftShader builds late",
                 {"", "swiftshader", ""},
-                &DriverQuirks::has_dear_barriers,
-                "a barrier switches the stack: pyramid_tile takes eight times the time of "
-                "pyramid_strip"},
+                &DriverQuirks::has_slow_builds,
+                kBuildsLate},
+    DriverQuirk{"softpipe interprets",
+                {"", "softpipe", ""},
+                &DriverQuirks::has_slow_builds,
+                "interprets kernels: one frame takes as long as all that may be tried"},
 };
 
 bool contains(std::string_view text, std::string_view part) {

@@ -9,9 +9,9 @@ namespace glide {
 struct DriverQuirks {
   /// The device is the CPU: Backend::automatic takes the vectorised CPU code instead.
   bool is_software = false;
-  /// A barrier in a workgroup costs more than the fetches that it saves: kernels that need one
-  /// where others do without are not tried.
-  bool has_dear_barriers = false;
+  /// Building a program, or running it for the first time, takes longer than all that the autotuner
+  /// may spend: nothing is tried.
+  bool has_slow_builds = false;
 };
 
 /// GL_VENDOR, GL_RENDERER and GL_VERSION, or parts of them.

@@ -50,7 +50,7 @@ constexpr double kQuick = 1.0;
 
 TEST(Autotuner, PicksTheFastestOfWhatItMeasures) {
   FakeDevice device(kQuick, pickyFrameMs);
-  const GpuTuning chosen = fastestTuning({}, device.probe());
+  const GpuTuning chosen = fastestTuning(device.probe());
   EXPECT_EQ(chosen.pyramid, PyramidKernel::tile);
   EXPECT_GT(chosen.single_group_pixels, 50'000);
   EXPECT_EQ(chosen.plan, GpuPlan::fused);
@@ -63,14 +63,14 @@ TEST(Autotuner, KeepsTheDefaultsWhereNothingIsClearlyFaster) {
   FakeDevice device(kQuick, [](const GpuTuning& tuning) {
     return tuning == GpuTuning{} ? 10.0 : 9.7;  // 3 %: noise
   });
-  EXPECT_EQ(fastestTuning({}, device.probe()), GpuTuning{});
+  EXPECT_EQ(fastestTuning(device.probe()), GpuTuning{});
 }
 
 TEST(Autotuner, StaysInItsBudget) {
   for (const double trial_ms : {7.0, 40.0, 70.0, 99.0, 140.0, 290.0}) {
     FakeDevice device(trial_ms, pickyFrameMs);
     const double start_ms = device.nowMs();
-    fastestTuning({}, device.probe());
+    fastestTuning(device.probe());
     EXPECT_LE(device.nowMs() - start_ms, kTuningBudgetMs) << trial_ms;
     EXPECT_GE(device.tried().size(), 1U);
   }
@@ -78,13 +78,13 @@ TEST(Autotuner, StaysInItsBudget) {
 
 TEST(Autotuner, IsContentWithTheBestSoFarWhenTheBudgetEnds) {
   FakeDevice device(140.0, [](const GpuTuning& tuning) { return 100.0 - tuning.group_size / 2.0; });
-  EXPECT_EQ(fastestTuning({}, device.probe()).group_size, 128);
+  EXPECT_EQ(fastestTuning(device.probe()).group_size, 128);
   EXPECT_EQ(device.tried().size(), 2U);
 }
 
 TEST(Autotuner, GivesUpAfterOneCandidateThatIsSlowToBuild) {
   FakeDevice device(2'000.0, pickyFrameMs);
-  EXPECT_EQ(fastestTuning({}, device.probe()), GpuTuning{});
+  EXPECT_EQ(fastestTuning(device.probe()), GpuTuning{});
   EXPECT_EQ(device.tried().size(), 1U);
 }
 
@@ -93,23 +93,15 @@ TEST(Autotuner, TakesNothingThatTheDeviceCannotRun) {
     if (tuning.group_size == 128) return std::nullopt;
     return tuning.group_size == 32 ? 5.0 : 10.0;
   });
-  EXPECT_EQ(fastestTuning({}, device.probe()).group_size, 32);
+  EXPECT_EQ(fastestTuning(device.probe()).group_size, 32);
   FakeDevice broken(kQuick, [](const GpuTuning&) { return std::nullopt; });
-  EXPECT_EQ(fastestTuning({}, broken.probe()), GpuTuning{});
+  EXPECT_EQ(fastestTuning(broken.probe()), GpuTuning{});
 }
 
 TEST(Autotuner, IsNotFooledByADeviceThatClocksUp) {
   int frames = 0;
   FakeDevice device(kQuick, [&](const GpuTuning&) { return 10.0 / ++frames; });
-  EXPECT_EQ(fastestTuning({}, device.probe()), GpuTuning{});
-}
-
-TEST(Autotuner, DoesNotTryTilesWhereBarriersAreDear) {
-  DriverQuirks quirks;
-  quirks.has_dear_barriers = true;
-  FakeDevice device(kQuick, pickyFrameMs);
-  EXPECT_EQ(fastestTuning(quirks, device.probe()).pyramid, PyramidKernel::strip);
-  for (const GpuTuning& tuning : device.tried()) EXPECT_EQ(tuning.pyramid, PyramidKernel::strip);
+  EXPECT_EQ(fastestTuning(device.probe()), GpuTuning{});
 }
 
 class ChooseTuning : public testing::Test {
@@ -126,12 +118,13 @@ class ChooseTuning : public testing::Test {
     return config;
   }
   GpuTuning choose(const Config& config, const DeviceCache& files) {
-    return chooseTuning(config, {}, files, device_.probe());
+    return chooseTuning(config, quirks_, files, device_.probe());
   }
 
   const TemporaryFolder folder_;
   const DeviceCache files_{folder_.path().string(), device()};
   FakeDevice device_{kQuick, pickyFrameMs};
+  DriverQuirks quirks_;
 };
 
 TEST_F(ChooseTuning, TriesOnceAndThenKnows) {
@@ -177,6 +170,12 @@ TEST_F(ChooseTuning, TriesNothingWhereEveryRunMustGiveTheSameBytes) {
 
 TEST_F(ChooseTuning, TriesNothingThatItCouldNotKeep) {
   EXPECT_EQ(choose(config(), DeviceCache()), GpuTuning{});
+  EXPECT_TRUE(device_.tried().empty());
+}
+
+TEST_F(ChooseTuning, TriesNothingWhereBuildingTakesTooLong) {
+  quirks_.has_slow_builds = true;
+  EXPECT_EQ(choose(config(), files_), GpuTuning{});
   EXPECT_TRUE(device_.tried().empty());
 }
 

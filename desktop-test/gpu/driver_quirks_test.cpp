@@ -20,11 +20,11 @@ TEST(DriverQuirks, KnowRasterisersThatRunOnTheCpu) {
   EXPECT_FALSE(quirksOf("Adreno (TM) 630").is_software);
 }
 
-TEST(DriverQuirks, KnowWhereBarriersAreDear) {
-  EXPECT_TRUE(quirksOf("llvmpipe (LLVM 15.0.6, 256 bits)").has_dear_barriers);
+TEST(DriverQuirks, KnowWhereTryingTakesTooLong) {
+  EXPECT_TRUE(quirksOf("llvmpipe (LLVM 15.0.6, 256 bits)").has_slow_builds);
   EXPECT_TRUE(
-      quirksOf("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device), SwiftShader)").has_dear_barriers);
-  EXPECT_FALSE(quirksOf("Mali-G52").has_dear_barriers);
+      quirksOf("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device), SwiftShader)").has_slow_builds);
+  EXPECT_FALSE(quirksOf("Mali-G52").has_slow_builds);
 }
 
 TEST(DriverQuirks, FitByPartsOfAllThreeStringsInAnyCase) {
