@@ -36,7 +36,7 @@ download_angle() {
   mkdir -p "$(dirname "$angle_folder")" || return
   new="$(mktemp -d "$angle_folder.XXXXXX")" || return
   mkdir "$new/package" "$new/angle"
-  (cd "$new/package" && npm pack --silent "$angle_package") && unpack_angle "$new"/package/*.tgz "$new/angle" &&
+  (cd "$new/package" && npm pack --silent --cache "$new/npm" "$angle_package") && unpack_angle "$new"/package/*.tgz "$new/angle" &&
     mv "$new/angle" "$angle_folder" || status=$?
   rm -rf "$new"
   return "$status"
