@@ -48,21 +48,21 @@ void main() {
   bool valid = projected.ok &&
                isInside(projected.uv, float(kHalfPatch + 1), size, float(kHalfPatch + 2));
 
-  // dpi/dX [ I | -[X]x ]: the rotation part of a row j is X x j.
+  // dpi/dX [ I | -[X]x ]: the rotation part of a row j is X x j. Stored before the patch is walked, which takes
+  // all registers.
+  int at = recordIndex(level, point);
   vec3 wx = cross(p_ref, projected.J_u);
   vec3 wy = cross(p_ref, projected.J_v);
-  PointRecord record;
-  record.p_ref = vec4(p_ref, valid ? 1.0 : 0.0);
-  record.jx_head = vec4(projected.J_u, wx.x);
-  record.jx_jy = vec4(wx.yz, projected.J_v.xy);
-  record.jy_tail = vec4(projected.J_v.z, wy);
+  records[at].p_ref = vec4(p_ref, valid ? 1.0 : 0.0);
+  records[at].jx_head = vec4(projected.J_u, wx.x);
+  records[at].jx_jy = vec4(wx.yz, projected.J_v.xy);
+  records[at].jy_tail = vec4(projected.J_v.z, wy);
   if (valid) {
     m0 = patchMean(projected.uv);
     first_pair = pairIndex(level, point, 0, 0, 0);
     walkPatch(projected.uv);
   }
-  record.moments = valid ? vec4(m0, square_and_along) : vec4(0.0);
-  record.gradients = gradients;
-  record.rest = vec4(gyy, 0.0, 0.0, 0.0);
-  records[recordIndex(level, point)] = record;
+  records[at].moments = valid ? vec4(m0, square_and_along) : vec4(0.0);
+  records[at].gradients = gradients;
+  records[at].rest = vec4(gyy, 0.0, 0.0, 0.0);
 }
