@@ -4,9 +4,9 @@
 
 # Unit tests of what handles memory by hand or reads foreign files.
 asan_targets=(geometry_test image_test photometric_test feature_test map_test optimize_test readers_test calibration_test
-  mapping_test loop_test map_mutations)
+  mapping_test loop_test map_mutations vit_test capi_test)
 # What runs on, or hands data to, more than one thread.
-tsan_targets=(base_test session_test)
+tsan_targets=(base_test session_test vit_test)
 
 # ctest_in PRESET ARGUMENTS...
 ctest_in() {

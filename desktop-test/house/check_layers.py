@@ -18,7 +18,7 @@ LAYERS = [
     {"optimize"},
     {"track", "mapping", "loop", "ar", "render"},
     {"session"},
-    {"capi"},
+    {"capi", "vit"},
 ]
 RANK = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}
 

@@ -1,0 +1,242 @@
+#include "vit/vit_tracker.h"
+
+#include "ar/axes.h"
+#include "ar/surfaces.h"
+
+#include "glide/config_text.h"
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <utility>
+
+using glide::SE3d;
+using glide::Vec3d;
+using glide::VitFrame;
+
+namespace {
+
+// Images that wait: more would only be older when their turn comes.
+constexpr std::size_t kWaitingImages = 3;
+// A runtime that does not pop poses gets the newest ones.
+constexpr std::size_t kMostPoses = 256;
+constexpr double kSecondsPerNs = 1e-9;
+// Gaps beyond this say nothing about velocity.
+constexpr double kLongestStep_s = 0.5;
+
+std::int64_t now_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Lines "direct.patch_size=11"; blank ones and those that begin with # are skipped.
+glide::Status readSettings(const char* path, glide::Config* config) {
+  std::ifstream file(path);
+  if (!file) return glide::Error{glide::ErrorCode::io, std::string("cannot read ") + path};
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    glide::Status set = glide::applySetting(*config, line);
+    if (!set) return set;
+  }
+  return glide::Unit{};
+}
+
+/// OpenCV's world (x right, y down, z forward) to z up: x right, y forward.
+SE3d zUpFromCv() {
+  constexpr double kHalf = 0.70710678118654752440;
+  return {Eigen::Quaterniond(kHalf, -kHalf, 0.0, 0.0), Vec3d::Zero()};
+}
+
+vit_pose_data toData(std::int64_t t_ns, const SE3d& T) {
+  const auto f = [](double value) { return static_cast<float>(value); };
+  return {t_ns,
+          f(T.t.x()),
+          f(T.t.y()),
+          f(T.t.z()),
+          f(T.q.x()),
+          f(T.q.y()),
+          f(T.q.z()),
+          f(T.q.w()),
+          0.0F,
+          0.0F,
+          0.0F};
+}
+
+void addVelocity(const vit_pose_data& before, vit_pose_data* now) {
+  const double step_s = static_cast<double>(now->timestamp - before.timestamp) * kSecondsPerNs;
+  if (!(step_s > 0.0) || step_s > kLongestStep_s) return;
+  const auto rate = [&](float a, float b) {
+    return static_cast<float>(static_cast<double>(b - a) / step_s);
+  };
+  now->vx = rate(before.px, now->px);
+  now->vy = rate(before.py, now->py);
+  now->vz = rate(before.pz, now->pz);
+}
+
+}  // namespace
+
+glide::Result<std::unique_ptr<vit_tracker>> vit_tracker::create(const vit_config& config) {
+  std::unique_ptr<vit_tracker> tracker(new vit_tracker());
+  tracker->config_.backend = glide::Backend::cpu;
+  if (config.file == nullptr || *config.file == '\0') return tracker;
+  const glide::Status read = readSettings(config.file, &tracker->config_);
+  if (!read) return read.error();
+  return tracker;
+}
+
+vit_result vit_tracker::addCamera(const vit_camera_calibration& calibration) {
+  if (isRunning() || !enabled_.has_add_camera_calibration) return VIT_ERROR_NOT_ENABLED;
+  if (calibration.camera_index > 0) return VIT_ERROR_NOT_SUPPORTED;  // monocular
+  glide::Result<glide::VitCamera> camera = glide::toCamera(calibration);
+  if (!camera) {
+    return camera.error().code == glide::ErrorCode::unsupported ? VIT_ERROR_NOT_SUPPORTED
+                                                                : VIT_ERROR_INVALID_VALUE;
+  }
+  camera_ = *std::move(camera);
+  config_.camera = camera_->intrinsics;
+  return VIT_SUCCESS;
+}
+
+vit_result vit_tracker::start() {
+  if (isRunning()) return VIT_SUCCESS;
+  if (!glide::validate(config_).ok()) return VIT_ERROR_INVALID_VALUE;
+  auto frames = std::make_shared<FrameQueue>(kWaitingImages);
+  worker_ = std::make_unique<glide::Worker>("glide-vit", [this, frames] { run(frames.get()); });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  frames_ = std::move(frames);
+  return VIT_SUCCESS;
+}
+
+vit_result vit_tracker::stop() {
+  const std::shared_ptr<FrameQueue> frames = this->frames();
+  if (frames == nullptr) return VIT_SUCCESS;
+  frames->close();
+  worker_.reset();  // joins
+  const std::lock_guard<std::mutex> lock(mutex_);
+  frames_.reset();
+  poses_.clear();
+  return VIT_SUCCESS;
+}
+
+std::shared_ptr<vit_tracker::FrameQueue> vit_tracker::frames() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return frames_;
+}
+
+vit_result vit_tracker::reset() {
+  reset_asked_.store(true);
+  return VIT_SUCCESS;
+}
+
+vit_result vit_tracker::pushImage(const vit_img_sample& sample) {
+  const std::shared_ptr<FrameQueue> frames = this->frames();
+  if (frames == nullptr) return VIT_ERROR_NOT_ENABLED;
+  if (sample.cam_index > 0) return VIT_SUCCESS;  // monocular: other cameras are not looked at
+  if (sample.timestamp <= last_image_ns_) return VIT_ERROR_INVALID_VALUE;
+  const bool has_size = static_cast<int>(sample.width) == config_.camera.width &&
+                        static_cast<int>(sample.height) == config_.camera.height;
+  if (!has_size) return VIT_ERROR_INVALID_VALUE;
+  std::optional<glide::ImageU8> luma = glide::toLuma(sample);
+  if (!luma) return VIT_ERROR_INVALID_VALUE;
+  last_image_ns_ = sample.timestamp;
+  VitFrame frame{sample.timestamp, now_ns(), *std::move(luma)};
+  frames->tryPush(frame);  // a frame that finds no room is dropped, as a camera's would be
+  return VIT_SUCCESS;
+}
+
+vit_result vit_tracker::pushImu(const vit_imu_sample& sample) {
+  if (!isRunning()) return VIT_ERROR_NOT_ENABLED;
+  if (sample.timestamp <= last_imu_ns_) return VIT_ERROR_INVALID_VALUE;
+  last_imu_ns_ = sample.timestamp;  // monocular: the sample itself is not used
+  return VIT_SUCCESS;
+}
+
+void vit_tracker::run(FrameQueue* frames) {
+  glide::Result<glide::Session> session = glide::Session::create(config_);
+  if (!session) return;  // start() has validated the config: the machine is out of memory
+  while (const std::optional<VitFrame> frame = frames->pop()) {
+    if (reset_asked_.exchange(false)) {
+      session->reset();
+      last_pose_.reset();
+    }
+    track(*frame, &*session);
+    frames->done();
+  }
+}
+
+void vit_tracker::track(const VitFrame& frame, glide::Session* session) {
+  const glide::ImageU8& image = frame.luma;
+  const glide::Luma luma{image.row(0), image.width(), image.height(), image.stride()};
+  const glide::Result<glide::FrameResult> result = session->update({frame.t_ns, luma});
+  if (!result || result->state != glide::TrackingState::tracking) {
+    last_pose_.reset();
+    return;
+  }
+  publish(frame, *result, *session);
+}
+
+void vit_tracker::publish(const VitFrame& frame,
+                          const glide::FrameResult& result,
+                          const glide::Session& session) {
+  auto pose = std::make_unique<vit_pose>();
+  const SE3d T_cam_imu = camera_ ? camera_->T_imu_cam.inverse() : SE3d{};
+  const SE3d T_world_imu = zUpFromCv() * glide::fromPose(result.T_world_cam) * T_cam_imu;
+  pose->data = toData(frame.t_ns, T_world_imu);
+  if (last_pose_) addVelocity(*last_pose_, &pose->data);
+  last_pose_ = pose->data;
+  pose->has_timing = enabled_.has_pose_timing;
+  pose->has_features = enabled_.has_pose_features;
+  if (pose->has_features) pose->features = features(result, session);
+  const auto update_ns = static_cast<std::int64_t>(result.stats.update_ms * 1e6);
+  const std::int64_t known_ns = now_ns();
+  pose->timestamps = {frame.pushed_ns, known_ns - update_ns, known_ns};
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (poses_.size() >= kMostPoses) poses_.pop_front();
+  poses_.push_back(std::move(pose));
+}
+
+std::vector<vit_pose_feature> vit_tracker::features(const glide::FrameResult& result,
+                                                    const glide::Session& session) const {
+  std::vector<vit_pose_feature> features;
+  const glide::Result<glide::CameraModel> camera = glide::CameraModel::create(config_.camera);
+  if (!camera) return features;
+  const std::shared_ptr<const glide::MapView> map = session.map();
+  const SE3d T_cam_world = glide::fromPose(result.T_world_cam).inverse();
+  for (const glide::VisiblePoint& point : glide::visiblePoints(*map, *camera, T_cam_world)) {
+    features.push_back({static_cast<std::int64_t>(map->landmarks[point.index].id),
+                        static_cast<float>(point.uv.x()),
+                        static_cast<float>(point.uv.y()),
+                        static_cast<float>(point.p_cam.z())});
+  }
+  return features;
+}
+
+std::unique_ptr<vit_pose> vit_tracker::popPose() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (poses_.empty()) return nullptr;
+  std::unique_ptr<vit_pose> pose = std::move(poses_.front());
+  poses_.pop_front();
+  return pose;
+}
+
+vit_result vit_tracker::enable(vit_extension extension, bool enable) {
+  if (isRunning()) return VIT_ERROR_NOT_ENABLED;
+  switch (extension) {
+    case VIT_EXTENSION_ADD_CAMERA_CALIBRATION:
+      enabled_.has_add_camera_calibration = enable;
+      return VIT_SUCCESS;
+    case VIT_EXTENSION_ADD_IMU_CALIBRATION:
+      enabled_.has_add_imu_calibration = enable;
+      return VIT_SUCCESS;
+    case VIT_EXTENSION_POSE_TIMING:
+      enabled_.has_pose_timing = enable;
+      return VIT_SUCCESS;
+    case VIT_EXTENSION_POSE_FEATURES:
+      enabled_.has_pose_features = enable;
+      return VIT_SUCCESS;
+  }
+  return VIT_ERROR_NOT_SUPPORTED;
+}
+
+vit_extension_set vit_tracker::enabled() const { return enabled_; }
