@@ -3,6 +3,7 @@
 #include "support/app_texture.h"
 
 #include "gpu/gl_test.h"
+#include "gpu/luma_upload.h"
 #include "gpu/texture_upload.h"
 
 #include <gmock/gmock.h>
@@ -185,6 +186,23 @@ TEST_F(TextureReaderTest, DrawsExternalTexturesWhereKernelsCannotSampleThem) {
   GlCaps without_essl3 = caps();
   without_essl3.has_external_essl3 = false;
   expectAllLayouts(without_essl3, *app, colours.grey);
+}
+
+TEST_F(TextureReaderTest, ConvertsWithAsManyCommandsAsPixelsNeed) {
+  const ImageU8 image = randomImage(kWidth, kHeight, 3);
+  Result<AppTexture> app = AppTexture::create(AppTextureKind::r8, kWidth, kHeight);
+  app->write(image.view());
+  const GlTexture level0 = GlTexture::allocate(GL_R32F, kWidth, kHeight);
+  const ScopedGlState state(GlStatePolicy::preserve);
+  const auto pixels = LumaUpload::create(kWidth, kHeight, kGroupSize, ProgramCache());
+  TextureUpload texture(caps(), {kWidth, kHeight}, kGroupSize, ProgramCache());
+  GpuCommands of_pixels, of_texture;
+  pixels->run(image.view(), level0, of_pixels);
+  ASSERT_TRUE(
+      texture.run(app->texture(kUpperRowFirst), level0, GlStatePolicy::preserve, of_texture).ok());
+  const GpuCommandCount expected = of_pixels.count(GpuStage::upload);
+  EXPECT_EQ(of_texture.count(GpuStage::upload).dispatches, expected.dispatches);
+  EXPECT_EQ(of_texture.count(GpuStage::upload).barriers, expected.barriers);
 }
 
 TEST_F(TextureReaderTest, FiltersAFrameThatIsScaled) {

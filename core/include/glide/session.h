@@ -37,9 +37,9 @@ class GLIDE_API Session {
   Session& operator=(Session&&) noexcept;
   ~Session();
 
-  /// Tracks one frame. Never waits for mapping unless Execution::inline_. A wrong image size or
-  /// null pixels is invalid_argument, a timestamp that does not increase out_of_order; neither
-  /// changes anything.
+  /// Tracks one frame (docs/inputs.md: what it may be). Never waits for mapping unless
+  /// Execution::inline_. A wrong image size or null pixels is invalid_argument, a timestamp that
+  /// does not increase out_of_order; neither changes anything.
   Result<FrameResult> update(const FrameInput& frame);
 
   /// Where the camera was at `t_ns` (the clock of FrameInput): interpolated within the last few
