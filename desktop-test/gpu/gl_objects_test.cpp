@@ -38,6 +38,15 @@ TEST_F(GlObjectsTest, AbandonedNameIsNotDeleted) {
   glDeleteTextures(1, &name);
 }
 
+TEST_F(GlObjectsTest, BufferWithoutMemoryIsNotComplete) {
+  constexpr std::int64_t kTooMuch = std::int64_t{1} << 46;
+  EXPECT_FALSE(GlBuffer::allocate(kTooMuch, GL_DYNAMIC_DRAW).isComplete());
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_OUT_OF_MEMORY));
+  forgetDriverMessages();
+  EXPECT_TRUE(GlBuffer::allocate(16, GL_DYNAMIC_DRAW).isComplete());
+  EXPECT_TRUE(GlTexture::allocate(GL_R32F, 4, 4).isComplete());
+}
+
 TEST_F(GlObjectsTest, FenceIsReached) {
   const GlSync fence = GlSync::insert();
   EXPECT_TRUE(fence.wait(1'000'000'000));

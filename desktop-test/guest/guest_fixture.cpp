@@ -5,21 +5,12 @@
 namespace glide::test {
 namespace {
 
-constexpr double kStep_m = 0.012;
+constexpr double kStep_m = 0.02;
 constexpr std::int64_t kFrame_ns = 33'333'333;
 // A walk of the direct tracker is there long before.
 constexpr int kMaxFrames = 40;
 // Far more names than the tests make.
 constexpr GLuint kNames = 512;
-
-/// Rendering takes longer than tracking: each image is made once.
-const ImageU8& imageOf(int frame) {
-  static const SequenceFixture fixture;
-  static std::map<int, ImageU8> images;
-  const auto found = images.find(frame);
-  if (found != images.end()) return found->second;
-  return images.emplace(frame, fixture.imageAt(frame * kStep_m)).first->second;
-}
 
 template <class IsName>
 int count(IsName is_name) {
@@ -29,6 +20,14 @@ int count(IsName is_name) {
 }
 
 }  // namespace
+
+const ImageU8& walkImage(int frame) {
+  static const SequenceFixture fixture;
+  static std::map<int, ImageU8> images;
+  const auto found = images.find(frame);
+  if (found != images.end()) return found->second;
+  return images.emplace(frame, fixture.imageAt(frame * kStep_m)).first->second;
+}
 
 void GuestTest::SetUp() {
   GlTest::SetUp();
@@ -63,14 +62,21 @@ Config GuestTest::config() const {
   config.direct.patch_size = 5;
   config.direct.max_points = 60;
   config.direct.max_iterations = isSlow() ? 3 : 6;
+  config.features.count = 400;
+  config.features.initialization_count = 600;
   config.gl.autotune = GpuAutotune::off;
   return config;
 }
 
 Result<FrameResult> GuestTest::feed(Session* session, int frame) const {
-  const ImageU8& image = imageOf(frame);
-  const Luma luma{image.row(0), image.width(), image.height(), image.stride()};
-  return session->update({(frame + 1) * kFrame_ns, luma});
+  const ImageU8& image = walkImage(frame);
+  return feed(session, frame, Luma{image.row(0), image.width(), image.height(), image.stride()});
+}
+
+Result<FrameResult> GuestTest::feed(Session* session,
+                                    int frame,
+                                    const decltype(FrameInput::image)& image) const {
+  return session->update({(frame + 1) * kFrame_ns, image});
 }
 
 int GuestTest::trackDirectly(Session* session) const {

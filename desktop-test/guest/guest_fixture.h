@@ -28,6 +28,10 @@ class GuestTest : public GlTest {
   Config config() const;
   /// The walk's next frame; all sessions of a test see the same frames.
   Result<FrameResult> feed(Session* session, int frame) const;
+  /// The same with another image of that frame.
+  Result<FrameResult> feed(Session* session,
+                           int frame,
+                           const decltype(FrameInput::image)& image) const;
   /// Feeds frames 0.. until the direct tracker has placed one; the number of the next frame.
   int trackDirectly(Session* session) const;
 
@@ -35,6 +39,9 @@ class GuestTest : public GlTest {
   std::optional<ScopedCurrentContext> main_;
   std::optional<AppContext> app_;
 };
+
+/// The walk's images; each is rendered once in the program.
+const ImageU8& walkImage(int frame);
 
 /// How many names of each kind the current context has, in the order buffers, textures, programs
 /// and shaders, samplers, framebuffers, vertex arrays, queries.
