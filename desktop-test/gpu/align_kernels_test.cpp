@@ -50,8 +50,8 @@ struct KernelRig {
   PyramidPass pass;
   GpuReference reference;
   AlignLoop loop;
-  AlignStateBuffer state;
-  GpuCommands commands;
+  AlignStateBuffer state = AlignStateBuffer::allocate();
+  GpuCommands commands{};
 
   TrackInput input() const { return {pyramid, state}; }
   void load(const ImageU8& image) {
@@ -61,8 +61,7 @@ struct KernelRig {
 };
 
 KernelRig makeRig(const GpuAlignSpec& spec) {
-  const int width = spec.camera.width();
-  const int height = spec.camera.height();
+  const auto [width, height] = std::pair(spec.camera.width(), spec.camera.height());
   GlBuffer constants = makeBuffer(std::vector<GpuAlignConstants>{alignConstants(spec)});
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, constants.get());
   GpuPyramid pyramid = GpuPyramid::allocate(width, height, spec.levels);
@@ -73,9 +72,7 @@ KernelRig makeRig(const GpuAlignSpec& spec) {
           std::move(pyramid),
           std::move(pass),
           GpuReference::create(spec).value(),
-          AlignLoop::create(spec).value(),
-          AlignStateBuffer::allocate(),
-          GpuCommands()};
+          AlignLoop::create(spec).value()};
 }
 
 /// The twins of the points that the kernels run over at a level, in the kernels' order.
