@@ -1,7 +1,7 @@
 #version 310 es
 // One pyramid level from the next finer one: 5-tap binomial blur in x and y, border clamped, and
 // decimation by two, fused (the blurred full level is never stored). An invocation makes a strip of
-// two columns and `strip_rows` rows and keeps the last blurred rows in registers: 2.5 fetches of four
+// two columns and `strip_rows` rows and keeps the sums of blurred rows in registers: 2.5 fetches of four
 // texels an output when a strip has eight rows. No shared memory and no barrier, which software
 // drivers pay dearly for.
 //   in   texture 0   finer level, r32f
@@ -33,21 +33,22 @@ void main() {
   if (any(greaterThanEqual(at, size))) return;
 
   ivec2 next = 2 * at - 2;
-  vec2 above2, above1, centre, below1, below2, after;
-  blurTwoRows(next, above2, above1);
+  vec2 upper, lower;
+  blurTwoRows(next, upper, lower);
+  vec2 first = upper + 4.0 * lower;  // what the last two rows give to the next output
   next.y += 2;
-  blurTwoRows(next, centre, below1);
+  blurTwoRows(next, upper, lower);
+  vec2 sum = first + 6.0 * upper + 4.0 * lower;  // of an output, all but its lowest row
+  first = upper + 4.0 * lower;
   int end = min(at.y + strip_rows, size.y);
   for (; at.y < end; ++at.y) {
     next.y += 2;
-    blurTwoRows(next, below2, after);
-    vec2 sum = above2 + below2 + 4.0 * (above1 + below1) + 6.0 * centre;
+    blurTwoRows(next, upper, lower);
+    sum += upper;
     imageStore(coarser, at, vec4(sum.x / 256.0));
     // Of an odd width the last strip has one column; a store outside of an image does nothing.
     imageStore(coarser, at + ivec2(1, 0), vec4(sum.y / 256.0));
-    above2 = centre;
-    above1 = below1;
-    centre = below2;
-    below1 = after;
+    sum = first + 6.0 * upper + 4.0 * lower;
+    first = upper + 4.0 * lower;
   }
 }
