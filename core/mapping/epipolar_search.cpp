@@ -33,7 +33,6 @@ struct PencilFeature {
   double sin_epipole = 0.0;  // > 0
   double level_key = 0.0;  // equal for both views of a point: level - log(sin_epipole)/log(factor)
   double sigma = 1.0;      // px
-  bool is_free = true;     // has no landmark yet
 };
 
 // Orthonormal frame in camera b whose first axis points to the centre of a.
@@ -57,14 +56,13 @@ std::vector<PencilFeature> toPencil(const EpipolarView& view,
   result.reserve(view.features->size());
   const double log_factor = std::log(levels.factor());
   for (std::size_t i = 0; i < view.features->size(); ++i) {
-    if (view.bearings[i].isZero()) continue;
+    if (view.landmarks[i] != kNoLandmark || view.bearings[i].isZero()) continue;
     const Vec3d ray = R_b_view * view.bearings[i];
     const double x = ray.dot(pencil.u);
     const double y = ray.dot(pencil.v);
     const int level = view.features->feature(i).level;
     PencilFeature feature;
     feature.index = static_cast<int>(i);
-    feature.is_free = view.landmarks[i] == kNoLandmark;
     feature.plane = std::atan2(y, x);
     feature.sin_epipole = std::hypot(x, y);
     feature.epipole = std::atan2(feature.sin_epipole, ray.dot(pencil.axis));
@@ -145,7 +143,6 @@ class Search {
     std::vector<int> owner(b_.features->size(), -1);  // position in `matches`
     std::vector<Match> matches;
     for (const PencilFeature& feature : features_a_) {
-      if (!feature.is_free) continue;
       const Match match = best(feature, index.at(feature.plane));
       if (match.b < 0) continue;
       int& rival = owner[static_cast<std::size_t>(match.b)];
@@ -167,25 +164,21 @@ class Search {
     const Descriptor& descriptor = a_.features->descriptor(static_cast<std::size_t>(feature.index));
     Match match{feature.index, -1, options_.max_distance + 1};
     int second_distance = 257;  // more than all bits
-    bool is_free = false;
     for (const int i : candidates) {
       const PencilFeature& candidate = features_b_[static_cast<std::size_t>(i)];
       if (!isPossible(feature, candidate)) continue;
       const int distance = descriptorDistance(
           descriptor, b_.features->descriptor(static_cast<std::size_t>(candidate.index)));
       if (match.b >= 0 && isSameCorner(match.b, candidate.index)) {
-        if (distance >= match.distance) continue;
-        match = {feature.index, candidate.index, distance};
-        is_free = candidate.is_free;
+        if (distance < match.distance) match = {feature.index, candidate.index, distance};
       } else if (distance < match.distance) {
         if (match.b >= 0) second_distance = match.distance;
         match = {feature.index, candidate.index, distance};
-        is_free = candidate.is_free;
       } else {
         second_distance = std::min(second_distance, distance);
       }
     }
-    if (!is_free || match.distance >= options_.ratio * second_distance) match.b = -1;
+    if (match.distance >= options_.ratio * second_distance) match.b = -1;
     return match;
   }
 
