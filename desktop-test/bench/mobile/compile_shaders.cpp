@@ -111,8 +111,9 @@ int compileMatching(const char* glob) {
       build(variant, glide::embeddedShaders());
     }
   }
-  for (const EmbeddedShader& shader : glide::yardsticks())
-    build({shader.name, {}}, glide::yardsticks());
+  for (const int group_size : {32, 64, 128}) {  // GpuTuning::group_size
+    build({"plain.comp", {{"GROUP_SIZE", group_size}}}, glide::yardsticks());
+  }
   return failures;
 }
 

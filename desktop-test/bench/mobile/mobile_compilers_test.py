@@ -57,7 +57,7 @@ ds(0) nbb tex ncph
 """.split("\n")
 
 IR3 = """@gpu FD630
-@variant plain.comp
+@variant plain.comp GROUP_SIZE=64
 MESA: info: impl main {
 MESA: info: Native code for unnamed CL shader GLSL2 with sha1 a5aa:
 MESA: info: ; num_ubos:           0
@@ -145,22 +145,26 @@ class ChecksTest(unittest.TestCase):
         self.assertEqual(checks.check(gpus.GPUS[0], variants, {}), [])
 
     def test_compares_threads_with_the_yardstick(self):
-        variants = [variant_with("align_residual.comp PATCH_SIZE=7", threads=1), variant_with("plain.comp", threads=2)]
+        hot = "align_residual.comp GROUP_SIZE=128"
+        plain = (variant_with("plain.comp GROUP_SIZE=64", threads=4), variant_with("plain.comp GROUP_SIZE=128", threads=2))
+        variants = [variant_with(hot, threads=1), *plain]
         self.assertEqual(len(checks.check_threads(MALI, variants)), 1)
         variants[0].numbers["threads"] = 2
         self.assertEqual(checks.check_threads(MALI, variants), [])
 
     def test_compares_the_inner_loop_with_the_yardstick(self):
-        costs = {"align_residual.comp": {"instructions": 151.0}, "plain.comp": {"instructions": 100.0}}
+        costs = {"align_residual.comp": {"instructions": 151.0}, "plain.comp GROUP_SIZE=32": {"instructions": 100.0}}
         self.assertEqual(len(checks.check_loops(ADRENO, costs)), 1)
         costs["align_residual.comp"]["instructions"] = 149.0
         self.assertEqual(checks.check_loops(ADRENO, costs), [])
 
-    def test_counts_pixels_by_rows(self):
-        variant = variant_with("align_residual.comp PATCH_SIZE=7")
-        self.assertEqual(checks.pixels_of(variant, 16), 14)
-        self.assertIsNone(checks.pixels_of(variant, 15))
-        self.assertIsNone(checks.pixels_of(variant, 0))
+    def test_counts_pixels_by_what_a_fetch_brings(self):
+        variant = driver_output.read(BIFROST)[1][0]
+        cost = checks.loop_cost(MALI, variant)
+        self.assertEqual((cost["pixels"], cost["tuples"], cost["cycles"]), (8, 5 / 8, 2 / 8))
+
+    def test_does_not_judge_the_papers_plan(self):
+        self.assertEqual(checks.check_spills(MALI, [variant_with("paper_solve.comp", spills=1)]), [])
 
     def test_notices_that_a_hot_kernel_was_renamed(self):
         self.assertEqual(len(checks.check_hot_kernels([variant_with("plain.comp")])), len(checks.HOT))

@@ -1,15 +1,16 @@
 #version 310 es
 // The yardstick of ./glide bench mobile-compilers, not part of the library: photometric residuals of 11 x 11
 // patches as one writes them down first. Filtered samples, gradients by central differences at every pixel,
-// residuals stored, one invocation per point, no robust weight and no factored Jacobian.
+// residuals stored, no robust weight and no factored Jacobian.
 //   in   buffer 0    centre of the patch in the reference and in the frame, px
 //        texture 0   frame, texture 1: reference
 //   out  buffer 1    residual per pixel
 //        buffer 2    sum of squares and of gradient products per point
+//   one invocation per point, groups of GROUP_SIZE
 precision highp float;
 precision highp int;
 precision highp sampler2D;
-layout(local_size_x = 64) in;
+layout(local_size_x = GROUP_SIZE) in;
 layout(std430, binding = 0) readonly buffer Centres { vec4 centre_ref_cam[]; };
 layout(std430, binding = 1) writeonly buffer Residuals { float residuals[]; };
 layout(std430, binding = 2) writeonly buffer Sums { float sums[]; };

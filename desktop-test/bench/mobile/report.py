@@ -47,8 +47,8 @@ def loop_table(results):
     """Cost of a pixel in the inner loop, and how many times the yardstick's."""
     lines = [row("inner loop, per pixel", "GPU", "instructions", "tuples", "cycles", "x yardstick"), "|" + "---|" * 6]
     for result in results:
-        plain = result.costs.get(checks.YARDSTICK, {})
-        for name, cost in sorted(result.costs.items(), key=lambda item: item[0] != checks.YARDSTICK):
+        plain = checks.yardstick_cost(result.costs)
+        for name, cost in result.costs.items():
             if "error" in cost:
                 continue
             units = [unit for unit in ("instructions", "tuples", "cycles") if unit in cost]
