@@ -88,6 +88,10 @@ void addTracking(CLI::App& app, Raw& raw) {
                  "realtime: by timestamps, late frames drop (default: lossless)")
       ->transform(plain(CLI::CheckedTransformer(paces)))
       ->type_name("lossless|realtime");
+}
+
+void addConfig(CLI::App& app, Raw& raw) {
+  Options& options = raw.options;
   app.add_option("--patch", raw.patch, "patch size of the direct tracker, px, odd")->type_name("N");
   app.add_option("--levels", raw.levels, "pyramid levels of the direct tracker")->type_name("N");
   app.add_option("--max-direct-frames", raw.max_direct_frames, "direct frames per reference")
@@ -176,6 +180,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
                            std::to_string(GLIDE_VERSION_PATCH));
   addInputs(app, raw);
   addTracking(app, raw);
+  addConfig(app, raw);
   addMaps(app, raw);
   addOutputs(app, raw);
   try {
