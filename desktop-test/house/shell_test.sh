@@ -20,6 +20,15 @@ done
 status=0
 ./glide nonsense 2>/dev/null || status=$?
 [ "$status" -eq 1 ] || fail "./glide nonsense ends with $status instead of 1"
+for command in "./glide test --driver" scripts/with_driver.sh; do
+  status=0
+  $command nonsense true 2>/dev/null || status=$?
+  [ "$status" -eq 1 ] || fail "$command nonsense ends with $status instead of 1"
+done
+case "$(scripts/with_driver.sh llvmpipe env)" in
+  *GLIDE_GL_RENDERER=^llvmpipe*) ;;
+  *) fail "scripts/with_driver.sh llvmpipe does not choose llvmpipe" ;;
+esac
 status=0
 ./glide >/dev/null 2>&1 || status=$?
 [ "$status" -eq 1 ] || fail "./glide without a command ends with $status instead of 1"
