@@ -45,14 +45,19 @@ bool GlHome::isHere() const {
 
 bool GlHome::isCreator() const { return eglGetCurrentContext() == creator_; }
 
-void GlHome::enter() const {
-  if (submitted_ && eglGetCurrentContext() != last_) submitted_->orderAfter();
+void GlHome::enter() {
+  const void* context = eglGetCurrentContext();
+  if (context == last_) return;
+  if (submitted_) submitted_->orderAfter();
+  last_ = context;
+  has_moved_ = true;
 }
 
 void GlHome::leave() {
-  last_ = eglGetCurrentContext();
-  submitted_ = GlSync::insert();
+  if (has_moved_) publish();
 }
+
+void GlHome::publish() { submitted_ = GlSync::insert(); }
 
 void GlHome::abandon() {
   mark_.abandon();

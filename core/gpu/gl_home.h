@@ -25,9 +25,13 @@ class GlHome {
 
   /// Begin of a pass: what was submitted last in another context of the group comes first on the
   /// GPU. That context was flushed (eglMakeCurrent does) or the app has seen to it.
-  void enter() const;
-  /// End of a pass.
+  void enter();
+  /// End of a pass that nobody has waited for. Fences cost a submission on some drivers: there is
+  /// one only if contexts have changed before. What goes without is the pyramid of a frame that was
+  /// not aligned; the next frame takes its place.
   void leave();
+  /// End of work that later passes read in whatever context they come.
+  void publish();
   /// Forgets all names without a GL call.
   void abandon();
 
@@ -38,8 +42,9 @@ class GlHome {
   /// only in its share group. Samplers are shared, and their parameters need no binding.
   GlSampler mark_;
   GLfloat mark_min_lod_ = 0.0F;
-  const void* creator_;  ///< EGLContext
-  const void* last_;     ///< EGLContext of the last pass
+  const void* creator_;     ///< EGLContext
+  const void* last_;        ///< EGLContext of the last pass
+  bool has_moved_ = false;  ///< passes came in more than one context
   std::optional<GlSync> submitted_;
 };
 

@@ -59,7 +59,7 @@ Result<std::unique_ptr<GpuAligner>> GpuAligner::createWith(const GlCaps& caps,
   Result<Stages> stages = createStages(caps, spec);
   if (!stages) return stages.error();
   GpuTimer timer = GpuTimer::create(caps, options.timing);
-  home->leave();
+  home->publish();
   return std::unique_ptr<GpuAligner>(
       new GpuAligner(std::move(*stages), std::move(timer), std::move(*home), options.state));
 }
@@ -145,6 +145,7 @@ void GpuAligner::promoteReference(std::span<const AlignPoint> points_ref) {
   bindConstants();
   stages_.plan->precompute(stages_.frame, points_ref, commands_);
   commands_.endStage();
+  home_.publish();
   has_reference_ = true;
 }
 

@@ -29,7 +29,7 @@ Result<std::unique_ptr<TextureReader>> TextureReader::create(const GlCaps& caps,
   const ImageU8 layout(frame.width, frame.height);
   GlBuffer bytes = GlBuffer::allocate(bytesOf(layout), GL_DYNAMIC_READ);
   if (!bytes.isComplete()) return outOfMemory("reading textures back");
-  home->leave();
+  home->publish();
   TexturePass pass({"texture_to_bytes.comp", kGroupSize, programs}, caps, frame);
   return std::unique_ptr<TextureReader>(
       new TextureReader(std::move(*home), std::move(pass), std::move(bytes), policy));

@@ -48,7 +48,7 @@ TEST_F(GlHomeTest, IsNotTakenInByAStrangerWithTheSameName) {
 
 TEST_F(GlHomeTest, AbandonedIsNowhere) {
   GlHome home = GlHome::create().value();
-  home.leave();
+  home.publish();
   home.abandon();
   EXPECT_FALSE(home.isHere());
 }
@@ -58,7 +58,7 @@ TEST_F(GlHomeTest, OrdersWhatContextsOfItsGroupSubmit) {
   GlHome home = GlHome::create().value();
   const std::vector<float> values{1.0F, 2.0F};
   const GlBuffer buffer = makeBuffer(values);
-  home.leave();
+  home.publish();
   const AppContext sharing = AppContext::create(ContextSharing::current).value();
   home.enter();
   EXPECT_EQ(readBuffer<float>(buffer), values);
