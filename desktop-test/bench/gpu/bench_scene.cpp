@@ -8,20 +8,6 @@ namespace {
 constexpr unsigned kSeed = 5;
 constexpr int kViews = 8;
 
-/// EuRoC's cam0 at its 752 px, the focal length and the centre scaled.
-CameraModel benchCamera(int width, int height) {
-  constexpr double kWidth = 752.0, kFocal = 458.654;  // px
-  CameraIntrinsics intrinsics;
-  intrinsics.width = width;
-  intrinsics.height = height;
-  intrinsics.fx = intrinsics.fy = kFocal * width / kWidth;
-  intrinsics.cx = 0.5 * (width - 1);
-  intrinsics.cy = 0.5 * (height - 1);
-  intrinsics.distortion = DistortionModel::radial_tangential;
-  intrinsics.coefficients = {-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05};
-  return CameraModel::create(intrinsics).value();
-}
-
 /// Where view `index` is taken from.
 SE3d viewPose(int index) {
   Vec6d furthest;
@@ -38,6 +24,19 @@ bool fits(const Vec2d& uv, const Workload& workload, int level) {
 }
 
 }  // namespace
+
+CameraModel benchCamera(int width, int height) {
+  constexpr double kWidth = 752.0, kFocal = 458.654;  // px
+  CameraIntrinsics intrinsics;
+  intrinsics.width = width;
+  intrinsics.height = height;
+  intrinsics.fx = intrinsics.fy = kFocal * width / kWidth;
+  intrinsics.cx = 0.5 * (width - 1);
+  intrinsics.cy = 0.5 * (height - 1);
+  intrinsics.distortion = DistortionModel::radial_tangential;
+  intrinsics.coefficients = {-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05};
+  return CameraModel::create(intrinsics).value();
+}
 
 PerLevel pointsOfLevels(const BenchScene& scene, const Workload& workload) {
   PerLevel counts{};

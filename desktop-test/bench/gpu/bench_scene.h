@@ -12,6 +12,9 @@
 
 namespace glide::gpubench {
 
+/// EuRoC's cam0 at its 752 px, the focal length and the centre scaled.
+CameraModel benchCamera(int width, int height);
+
 /// What every plan is given: a reference with its points, and frames at growing distance from it,
 /// the last one further than the direct tracker accepts a guess to be off.
 struct BenchScene {

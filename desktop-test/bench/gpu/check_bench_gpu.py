@@ -24,6 +24,8 @@ class Json(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.done = run(*SMALL, "--json")
+        if cls.done.returncode != 0:
+            raise AssertionError(cls.done.stderr)
         cls.report = json.loads(cls.done.stdout)
 
     def test_has_exactly_the_keys_of_its_contract(self):

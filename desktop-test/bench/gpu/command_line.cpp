@@ -75,6 +75,10 @@ void addRun(CLI::App* app, Options* options) {
             kClocks,
             &options->clock,
             "auto: timer queries where the driver has them;\nfence: wall clock (default: auto)");
+  app->add_flag("--tune",
+                options->tune,
+                "let the autotuner choose the fused plan's group sizes and kernels\n"
+                "(default: what a device runs that is not tuned)");
   app->add_flag("--json", options->json, "JSON on stdout instead of Markdown");
   app->add_flag("--sweep",
                 options->sweep,

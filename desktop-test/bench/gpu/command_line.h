@@ -26,14 +26,17 @@ struct Workload {
 struct Options {
   Workload workload;
   std::vector<GpuPlan> plans;
+  GpuTuning fused;    ///< of GpuPlan::fused
+  bool tune = false;  ///< the fused plan is tuned first, as a session does
   Clock clock = Clock::automatic;
   bool json = false;
   bool sweep = false;
   std::string plot;  ///< PNG file of a sweep; none when empty
 };
 
-inline constexpr int kExitOk = 0, kExitUsage = 1, kExitNoGl = 3, kExitNotLinear = 5;
-inline constexpr int kExitCannotWrite = 2;
+inline constexpr int kExitOk = 0, kExitUsage = 1, kExitCannotWrite = 2, kExitNoGl = 3;
+inline constexpr int kExitGlFails = 4;  ///< for instance a shader that does not build
+inline constexpr int kExitNotLinear = 5;
 
 /// The options, or the exit status of a program that has nothing to do (--help, wrong usage), which
 /// it has said why.

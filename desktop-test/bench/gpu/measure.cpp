@@ -10,18 +10,10 @@ namespace {
 /// Drivers build programs and grow buffers at first use.
 constexpr int kWarmUpFrames = 2;
 
-std::vector<PlanRun::Spec> specsOf(const std::vector<GpuPlan>& plans,
-                                   Maths maths,
-                                   GpuTiming timing) {
-  std::vector<PlanRun::Spec> specs;
-  for (const GpuPlan plan : plans) specs.push_back({plan, maths, timing});
-  return specs;
-}
-
 /// Over the scene's frames.
 Result<double> poseDifference(const GlCaps& caps, const Options& options, const BenchScene& scene) {
   std::vector<PlanRun> runs;
-  for (const auto& spec : specsOf(options.plans, Maths::unweighted, GpuTiming::passive)) {
+  for (const auto& spec : specsOf(options, Maths::unweighted, GpuTiming::passive)) {
     auto run = PlanRun::create(caps, options.workload, scene, spec);
     if (!run) return run.error();
     runs.push_back(std::move(*run));
@@ -38,6 +30,16 @@ Result<double> poseDifference(const GlCaps& caps, const Options& options, const 
 
 }  // namespace
 
+std::vector<PlanRun::Spec> specsOf(const Options& options, Maths maths, GpuTiming timing) {
+  std::vector<PlanRun::Spec> specs;
+  for (const GpuPlan plan : options.plans) {
+    GpuTuning tuning = options.fused;
+    tuning.plan = plan;
+    specs.push_back({tuning, maths, timing});
+  }
+  return specs;
+}
+
 Spread spreadOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
@@ -47,6 +49,15 @@ Spread spreadOf(std::vector<double> values) {
     return values[low] + (rank - static_cast<double>(low)) * (values[high] - values[low]);
   };
   return {at(0.5), at(0.95)};
+}
+
+void playInterleaved(int frames, std::vector<PlanRun>* runs) {
+  for (int i = -kWarmUpFrames; i < frames; ++i) {
+    for (PlanRun& run : *runs) {
+      if (i == 0) run.restart();
+      run.frame(std::max(i, 0));
+    }
+  }
 }
 
 Result<std::vector<PlanRun>> measurePlans(const GlCaps& caps,
@@ -59,12 +70,7 @@ Result<std::vector<PlanRun>> measurePlans(const GlCaps& caps,
     if (!run) return run.error();
     runs.push_back(std::move(*run));
   }
-  for (int i = -kWarmUpFrames; i < workload.frames; ++i) {
-    for (PlanRun& run : runs) {
-      if (i == 0) run.restart();
-      run.frame(std::max(i, 0));
-    }
-  }
+  playInterleaved(workload.frames, &runs);
   return runs;
 }
 
@@ -72,12 +78,12 @@ Result<Measurement> measure(const GlCaps& caps, const Options& options, const Be
   Measurement measurement;
   measurement.caps = caps;
   measurement.workload = options.workload;
+  measurement.fused = options.fused;
   const Result<double> bandwidth = measureBandwidth();
   if (!bandwidth) return bandwidth.error();
   measurement.bandwidth_gb_s = *bandwidth;
   for (const GpuTiming timing : {GpuTiming::stages, GpuTiming::levels}) {
-    auto runs =
-        measurePlans(caps, options.workload, scene, specsOf(options.plans, Maths::own, timing));
+    auto runs = measurePlans(caps, options.workload, scene, specsOf(options, Maths::own, timing));
     if (!runs) return runs.error();
     (timing == GpuTiming::stages ? measurement.runs : measurement.levels) = std::move(*runs);
   }

@@ -17,6 +17,7 @@ Spread spreadOf(std::vector<double> values);
 struct Measurement {
   GlCaps caps;
   Workload workload;
+  GpuTuning fused;  ///< of GpuPlan::fused
   double bandwidth_gb_s = 0.0;
   std::vector<PlanRun> runs;    ///< one a plan, timed by stage
   std::vector<PlanRun> levels;  ///< the same plans once more, timed by level
@@ -25,8 +26,13 @@ struct Measurement {
   std::optional<double> pose_difference;
 };
 
-/// Runs all plans of `specs` on the same frames, interleaved: what disturbs the machine disturbs
-/// all. Workload::frames frames after a warm-up.
+/// One for each plan of the options.
+std::vector<PlanRun::Spec> specsOf(const Options& options, Maths maths, GpuTiming timing);
+
+/// So many frames of each after a warm-up, in turn: what disturbs the machine disturbs all.
+void playInterleaved(int frames, std::vector<PlanRun>* runs);
+
+/// Runs all plans of `specs` on the same frames, interleaved.
 Result<std::vector<PlanRun>> measurePlans(const GlCaps& caps,
                                           const Workload& workload,
                                           const BenchScene& scene,

@@ -6,12 +6,14 @@ namespace {
 /// Patch errors stay below: every weight is one.
 constexpr double kNoWeights = 100.0;  // grey levels
 
-Config::Direct directOf(const Workload& workload, const PlanRun::Spec& spec) {
+}  // namespace
+
+Config::Direct directOf(const Workload& workload, GpuPlan plan, Maths maths) {
   Config::Direct direct;
   direct.patch_size = workload.patch;
   direct.levels = workload.levels;
   direct.max_points = workload.points;
-  if (spec.maths == Maths::unweighted || spec.plan == GpuPlan::paper) {
+  if (maths == Maths::unweighted || plan == GpuPlan::paper) {
     direct.hessian = HessianMode::constant;
     direct.photometric = PhotometricModel::none;
     direct.huber_floor = kNoWeights;
@@ -19,23 +21,14 @@ Config::Direct directOf(const Workload& workload, const PlanRun::Spec& spec) {
   return direct;
 }
 
-GpuTuning tuningOf(GpuPlan plan) {
-  GpuTuning tuning;
-  tuning.plan = plan;
-  if (plan == GpuPlan::paper) tuning.pyramid = PyramidKernel::two_pass;
-  return tuning;
-}
-
-}  // namespace
-
 Result<PlanRun> PlanRun::create(const GlCaps& caps,
                                 const Workload& workload,
                                 const BenchScene& scene,
                                 const Spec& spec) {
   auto aligner = GpuAligner::createWith(caps,
-                                        directOf(workload, spec),
+                                        directOf(workload, spec.tuning.plan, spec.maths),
                                         scene.camera,
-                                        tuningOf(spec.plan),
+                                        spec.tuning,
                                         {spec.timing, GlStatePolicy::preserve});
   if (!aligner) return aligner.error();
   return PlanRun(std::move(*aligner), workload, scene, spec);
@@ -81,7 +74,7 @@ PerLevel PlanRun::iterations() const {
 }
 
 std::array<Traffic, kGpuStages> PlanRun::traffic() const {
-  return countTraffic(workload_, {spec_.plan, pointsOfLevels(*scene_, workload_), iterations()});
+  return countTraffic(workload_, {plan(), pointsOfLevels(*scene_, workload_), iterations()});
 }
 
 }  // namespace glide::gpubench

@@ -17,11 +17,14 @@ enum class Maths {
   unweighted  ///< Both without weights, gain and bias: they must agree.
 };
 
+/// What a plan is given of the direct tracker's configuration.
+Config::Direct directOf(const Workload& workload, GpuPlan plan, Maths maths);
+
 /// One plan on its own aligner, and what was measured of it.
 class PlanRun {
  public:
   struct Spec {
-    GpuPlan plan = GpuPlan::fused;
+    GpuTuning tuning;
     Maths maths = Maths::own;
     GpuTiming timing = GpuTiming::stages;
   };
@@ -37,7 +40,7 @@ class PlanRun {
   /// Forgets the times so far: they were a warm-up.
   void restart();
 
-  GpuPlan plan() const { return spec_.plan; }
+  GpuPlan plan() const { return spec_.tuning.plan; }
   /// Of the last frame.
   const AlignResult& result() const { return result_; }
   bool usesQueries() const { return aligner_->stageTimes().usesQueries(); }

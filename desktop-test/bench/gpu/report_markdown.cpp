@@ -107,12 +107,21 @@ std::string levelTable(const Measurement& measurement) {
   return table;
 }
 
+/// How the fused plan was tuned.
+std::string tuningText(const GpuTuning& tuning) {
+  return fmt::format("fused: workgroups of {}, pyramid by {}, levels up to {} px in one workgroup",
+                     tuning.group_size,
+                     tuning.pyramid == PyramidKernel::tile ? "tiles" : "strips",
+                     tuning.single_group_pixels);
+}
+
 }  // namespace
 
 std::string toMarkdown(const Measurement& measurement) {
   const Workload& workload = measurement.workload;
   std::string text = fmt::format(
-      "# {}\n\n{}, {}. {}x{}, {} points, patch {}, {} levels; {} frames, timer: {}. Floor: what "
+      "# {}\n\n{}, {}. {}x{}, {} points, patch {}, {} levels; {} frames, timer: {}; {}. Floor: "
+      "what "
       "the counted bytes take at {:.1f} GB/s, which glCopyBufferSubData of 64 MiB reaches here.\n",
       measurement.caps.renderer,
       measurement.caps.vendor,
@@ -124,6 +133,7 @@ std::string toMarkdown(const Measurement& measurement) {
       workload.levels,
       workload.frames,
       measurement.runs.front().usesQueries() ? "query" : "sync",
+      tuningText(measurement.fused),
       measurement.bandwidth_gb_s);
   text += "\n" + stageTable(measurement) + "\n" + levelTable(measurement);
   if (measurement.pose_difference) {

@@ -24,17 +24,18 @@ bool growsLinearly(const std::vector<SweepPoint>& series, std::size_t plan) {
   return holds(series.front(), series.back());
 }
 
-/// Measures one workload, and takes the GPU's name from it.
-Result<SweepPoint> measurePoint(const GlCaps& caps, const Workload& workload, Sweep* sweep) {
-  const BenchScene scene = makeBenchScene(workload);
-  std::vector<PlanRun::Spec> specs;
-  for (const GpuPlan plan : sweep->plans) specs.push_back({plan, Maths::own, GpuTiming::stages});
-  const auto runs = measurePlans(caps, workload, scene, specs);
-  if (!runs) return runs.error();
-  SweepPoint point{workload.points, workload.patch, {}};
-  for (const PlanRun& run : *runs) point.frame_ms.push_back(spreadOf(run.frameTimes()).median);
-  sweep->gpu = gpuJson(caps, runs->front());
-  return point;
+/// Those of Sweep::points, then those of Sweep::patches.
+std::vector<Workload> workloadsOf(const Workload& common) {
+  std::vector<Workload> workloads;
+  for (const int points : kPoints) {
+    workloads.push_back(common);
+    workloads.back().points = points;
+  }
+  for (const int patch : kPatches) {
+    workloads.push_back(common);
+    workloads.back().patch = patch;
+  }
+  return workloads;
 }
 
 Json seriesJson(const Sweep& sweep, const std::vector<SweepPoint>& series) {
@@ -80,22 +81,27 @@ bool Sweep::isLinear() const {
 }
 
 Result<Sweep> measureSweep(const GlCaps& caps, const Options& options) {
-  Sweep sweep;
-  sweep.workload = options.workload;
-  sweep.plans = options.plans;
-  for (const int points : kPoints) {
-    Workload workload = options.workload;
-    workload.points = points;
-    auto point = measurePoint(caps, workload, &sweep);
-    if (!point) return point.error();
-    sweep.points.push_back(std::move(*point));
+  const std::vector<Workload> workloads = workloadsOf(options.workload);
+  std::vector<BenchScene> scenes;
+  for (const Workload& workload : workloads) scenes.push_back(makeBenchScene(workload));
+  std::vector<PlanRun> runs;
+  for (std::size_t i = 0; i < workloads.size(); ++i) {
+    for (const PlanRun::Spec& spec : specsOf(options, Maths::own, GpuTiming::stages)) {
+      auto run = PlanRun::create(caps, workloads[i], scenes[i], spec);
+      if (!run) return run.error();
+      runs.push_back(std::move(*run));
+    }
   }
-  for (const int patch : kPatches) {
-    Workload workload = options.workload;
-    workload.patch = patch;
-    auto point = measurePoint(caps, workload, &sweep);
-    if (!point) return point.error();
-    sweep.patches.push_back(std::move(*point));
+  playInterleaved(options.workload.frames, &runs);
+
+  Sweep sweep{gpuJson(caps, runs.front()), options.workload, options.plans, {}, {}};
+  for (std::size_t i = 0; i < workloads.size(); ++i) {
+    SweepPoint point{workloads[i].points, workloads[i].patch, {}};
+    for (std::size_t plan = 0; plan < options.plans.size(); ++plan) {
+      const PlanRun& run = runs[i * options.plans.size() + plan];
+      point.frame_ms.push_back(spreadOf(run.frameTimes()).median);
+    }
+    (i < std::size(kPoints) ? sweep.points : sweep.patches).push_back(std::move(point));
   }
   return sweep;
 }
