@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** The bytes are no sound map. */
+public class DataInvalidFormatException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public DataInvalidFormatException(String message) {
+    super(-18, message);
+  }
+}

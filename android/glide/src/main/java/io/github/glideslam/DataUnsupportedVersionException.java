@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** A map of another version of the format. */
+public class DataUnsupportedVersionException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public DataUnsupportedVersionException(String message) {
+    super(-19, message);
+  }
+}

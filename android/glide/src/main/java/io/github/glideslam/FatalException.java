@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** A dependency failed, for instance for lack of memory. */
+public class FatalException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public FatalException(String message) {
+    super(-2, message);
+  }
+}

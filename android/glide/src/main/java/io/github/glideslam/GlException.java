@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** OpenGL failed. */
+public class GlException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public GlException(String message) {
+    super(-104, message);
+  }
+}

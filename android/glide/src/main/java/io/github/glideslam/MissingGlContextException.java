@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** No OpenGL ES 3.1 context is current on this thread. */
+public class MissingGlContextException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public MissingGlContextException(String message) {
+    super(-7, message);
+  }
+}

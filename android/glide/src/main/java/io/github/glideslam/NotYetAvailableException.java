@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** What was asked for does not exist yet. */
+public class NotYetAvailableException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public NotYetAvailableException(String message) {
+    super(-12, message);
+  }
+}

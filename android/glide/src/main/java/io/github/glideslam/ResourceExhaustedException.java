@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** Too many objects of a kind are held. */
+public class ResourceExhaustedException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public ResourceExhaustedException(String message) {
+    super(-11, message);
+  }
+}

@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** A timestamp is not newer than the one before. */
+public class TimestampOrderException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public TimestampOrderException(String message) {
+    super(-102, message);
+  }
+}

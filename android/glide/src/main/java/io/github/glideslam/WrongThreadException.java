@@ -1,0 +1,10 @@
+package io.github.glideslam;
+
+/** Another thread owns the session's GL objects: see {@link Session}. */
+public class WrongThreadException extends GlideException {
+  private static final long serialVersionUID = 1L;
+
+  public WrongThreadException(String message) {
+    super(-101, message);
+  }
+}
