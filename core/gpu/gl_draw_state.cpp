@@ -104,22 +104,4 @@ void GlDrawState::neutralize() {
   applyTests(neutral);
 }
 
-GlPackState GlPackState::current() {
-  return {integer(GL_PIXEL_PACK_BUFFER_BINDING),
-          integer(GL_PACK_ALIGNMENT),
-          integer(GL_PACK_ROW_LENGTH),
-          integer(GL_PACK_SKIP_ROWS),
-          integer(GL_PACK_SKIP_PIXELS)};
-}
-
-void GlPackState::apply() const {
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, nameOf(buffer));
-  glPixelStorei(GL_PACK_ALIGNMENT, alignment);
-  glPixelStorei(GL_PACK_ROW_LENGTH, row_length);
-  glPixelStorei(GL_PACK_SKIP_ROWS, skip_rows);
-  glPixelStorei(GL_PACK_SKIP_PIXELS, skip_pixels);
-}
-
-void GlPackState::neutralize() { GlPackState{0, 1, 0, 0, 0}.apply(); }
-
 }  // namespace glide

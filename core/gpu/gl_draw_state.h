@@ -31,18 +31,4 @@ struct GlDrawState {
 /// Inside of a ScopedGlState, around a pass that draws.
 using ScopedDrawState = ScopedState<GlDrawState>;
 
-/// The state of reading pixels back from a framebuffer. Framebuffer bindings are GlDrawState's.
-struct GlPackState {
-  GLint buffer = 0, alignment = 4, row_length = 0, skip_rows = 0, skip_pixels = 0;
-
-  static GlPackState current();
-  static GlPackState initial() { return {}; }
-  void apply() const;
-  /// Rows without gaps, to memory.
-  static void neutralize();
-};
-
-/// Around glReadPixels.
-using ScopedPackState = ScopedState<GlPackState>;
-
 }  // namespace glide

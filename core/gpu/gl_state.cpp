@@ -140,7 +140,6 @@ GlComputeState GlComputeState::current() {
   state.unpack = currentUnpack();
   state.storage_buffer = integer(GL_SHADER_STORAGE_BUFFER_BINDING);
   state.uniform_buffer = integer(GL_UNIFORM_BUFFER_BINDING);
-  state.dispatch_indirect_buffer = integer(GL_DISPATCH_INDIRECT_BUFFER_BINDING);
   saveIndexed(kStorage, &state.storage);
   saveIndexed(kUniform, &state.uniform);
   state.is_feedback_running = isFeedbackRunning();
@@ -155,7 +154,6 @@ void GlComputeState::apply() const {
   // After the indexed calls, which change these, too.
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, nameOf(storage_buffer));
   glBindBuffer(GL_UNIFORM_BUFFER, nameOf(uniform_buffer));
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, nameOf(dispatch_indirect_buffer));
   // A program that the app had deleted while it was current went when ours took its place.
   const bool exists = program != 0 && glIsProgram(nameOf(program)) == GL_TRUE;
   glUseProgram(exists ? nameOf(program) : 0);

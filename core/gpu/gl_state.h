@@ -35,7 +35,7 @@ struct GlComputeState {
   std::array<TextureUnit, kTextureUnits> textures{};
   std::array<ImageUnit, kImageUnits> images{};
   PixelUnpack unpack;
-  GLint storage_buffer = 0, uniform_buffer = 0, dispatch_indirect_buffer = 0;  ///< not indexed
+  GLint storage_buffer = 0, uniform_buffer = 0;  ///< not indexed
   std::array<IndexedBuffer, kStorageBindings> storage{};
   std::array<IndexedBuffer, kUniformBindings> uniform{};
   /// The app's transform feedback was running: it is paused, since it forbids other programs.

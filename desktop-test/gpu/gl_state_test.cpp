@@ -34,7 +34,6 @@ void compute() {
     glActiveTexture(GL_TEXTURE0 + i);
     glBindTexture(GL_TEXTURE_2D, texture.get());
   }
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffer.get());
   glUseProgram(0);
 }
 
@@ -49,17 +48,14 @@ void draw() {
   glBindVertexArray(vertices);
   glViewport(0, 0, 4, 4);
   glClear(GL_COLOR_BUFFER_BIT);
-  std::array<std::uint8_t, 4 * 4 * 4> pixels{};
-  glReadPixels(0, 0, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   glDeleteVertexArrays(1, &vertices);
   glDeleteFramebuffers(1, &framebuffer);
 }
 
-/// A pass that computes, draws and reads pixels.
+/// A pass that computes and draws.
 void runAll(GlStatePolicy policy) {
   const ScopedGlState state(policy);
   const ScopedDrawState draw_state(policy);
-  const ScopedPackState pack_state(policy);
   compute();
   draw();
 }
