@@ -17,8 +17,8 @@ const std::map<std::string, Clock> kClocks{{"auto", Clock::automatic}, {"fence",
 
 constexpr int kSmallestSide = 32, kLargestSide = 8192;  // px
 constexpr int kMostFrames = 100'000;
-/// A sweep has a dozen measurements: fewer frames each, unless told otherwise.
-constexpr int kSweepFrames = 20;
+/// A sweep has ten workloads: fewer frames of each, unless told otherwise.
+constexpr int kSweepFrames = 32;
 
 CLI::Validator plain(CLI::Validator validator) { return validator.description(""); }
 
@@ -99,7 +99,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
   addWorkload(&app, &options.workload);
   CLI::Option* frames = app.add_option("--frames",
                                        options.workload.frames,
-                                       "frames that medians are over (default: 50; sweep: 20)")
+                                       "frames that medians are over (default: 50; sweep: 32)")
                             ->check(plain(CLI::Range(1, kMostFrames)))
                             ->type_name("N");
   addRun(&app, &options);

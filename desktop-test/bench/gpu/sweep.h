@@ -12,7 +12,7 @@ namespace glide::gpubench {
 /// One workload of a sweep.
 struct SweepPoint {
   int points = 0, patch = 0;
-  std::vector<double> frame_ms;  ///< median of upload + pyramid + track + readback, one a plan
+  std::vector<double> frame_ms;  ///< upload + pyramid + track + readback, one a plan
 
   /// Patch pixels: what the work of an iteration is proportional to.
   double pixels() const { return 1.0 * points * patch * patch; }

@@ -121,7 +121,7 @@ class Program(InTemporaryFolder):
         touch(self.root, "fr2_desk", "rgb.txt")
         status, text, out = self.run_main("--runs", "2")
         self.assertEqual(status, 0)
-        self.assertIn("| fr2_desk (300 frames of tum2_desk) | 8.00 | 4.00 | 2.0 x | 9.9 / 5.1, 1.9 x |", text)
+        self.assertIn("| fr2_desk (307 frames of tum2_desk) | 8.00 | 4.00 | 2.0 x | 9.9 / 5.1, 1.9 x |", text)
         self.assertIn("| 1.50 | 2.50 | cpu | 2.5 / 3.6 | 2.1 / 2.8 | 43.7 / 38.9 |", text)
         self.assertIn("| 50.0 | 70.1 | 70.3 | 69.2 |", text)
         self.assertIn("| 0.0123 | 0.0123 | 0.008 / 0.010 | 0.013 / 0.008 | 0.006 / 0.016 |", text)

@@ -34,8 +34,9 @@ def label(result):
     """The folder's name, and what part of which of the paper's sequences it is."""
     if result["paper"] is None:
         return result["name"]
-    frames = result["hybrid"]["median"]["frames_in"] or result["indirect"]["median"]["frames_in"]
-    part = f"{frames:.0f} frames of " if frames and frames < WHOLE_SEQUENCE_FRAMES else ""
+    medians = [result[tracker]["median"] for tracker in ("hybrid", "indirect")]
+    frames = max((m["frames_in"] or 0) + (m["frames_dropped"] or 0) for m in medians)
+    part = f"{frames:.0f} frames of " if 0 < frames < WHOLE_SEQUENCE_FRAMES else ""
     return f"{result['name']} ({part}{result['paper']})"
 
 
