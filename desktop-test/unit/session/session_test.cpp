@@ -157,12 +157,14 @@ TEST(Session, AddsNoKeyframeAndDoesNotDriftWhileTheCameraStandsStill) {
   walk(&fixture, &session, kFrames);
   const double x = (kFrames - 1) * kStep_m;
   const ImageU8 still = fixture.imageAt(x);
-  FrameResult first;  // the stop itself may still deserve a keyframe
-  for (int i = 0; i <= fixture.config().direct.max_direct_frames; ++i)
-    first = fixture.feed(&session, still);
+  // The stop itself may deserve a keyframe: by the first indirect frame after max_interval frames.
+  const int settled =
+      fixture.config().keyframes.max_interval + fixture.config().direct.max_direct_frames;
+  FrameResult first;
+  for (int i = 0; i <= settled; ++i) first = fixture.feed(&session, still);
   const std::size_t keyframes = session.map()->keyframes.size();
   FrameResult last;
-  for (int i = 0; i < 40; ++i) last = fixture.feed(&session, still);
+  for (int i = 0; i <= settled; ++i) last = fixture.feed(&session, still);
   EXPECT_EQ(session.map()->keyframes.size(), keyframes);
   for (std::size_t axis = 0; axis < 3; ++axis)
     EXPECT_NEAR(last.T_world_cam.t_xyz[axis], first.T_world_cam.t_xyz[axis], 2e-3);
