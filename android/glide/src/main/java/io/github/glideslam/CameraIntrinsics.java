@@ -31,6 +31,7 @@ public final class CameraIntrinsics {
     this(width, height, fx, fy, cx, cy, Distortion.NONE);
   }
 
+  /** With a lens; all in pixels but the coefficients. */
   public CameraIntrinsics(
       int width, int height, double fx, double fy, double cx, double cy,
       Distortion distortion, double... coefficients) {
@@ -63,10 +64,12 @@ public final class CameraIntrinsics {
     return new float[] {(float) cx, (float) cy};
   }
 
+  /** The lens model. */
   public Distortion getDistortion() {
     return distortion;
   }
 
+  /** Of the lens model, in OpenCV's order. A copy. */
   public double[] getCoefficients() {
     return coefficients.clone();
   }

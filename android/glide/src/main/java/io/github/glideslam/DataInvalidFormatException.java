@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class DataInvalidFormatException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public DataInvalidFormatException(String message) {
     super(-18, message);
   }

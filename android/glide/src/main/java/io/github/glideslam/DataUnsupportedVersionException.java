@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class DataUnsupportedVersionException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public DataUnsupportedVersionException(String message) {
     super(-19, message);
   }

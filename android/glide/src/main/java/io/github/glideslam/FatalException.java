@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class FatalException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public FatalException(String message) {
     super(-2, message);
   }

@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class GlException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public GlException(String message) {
     super(-104, message);
   }

@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class InvalidArgumentException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public InvalidArgumentException(String message) {
     super(-1, message);
   }

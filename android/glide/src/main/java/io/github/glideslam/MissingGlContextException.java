@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class MissingGlContextException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public MissingGlContextException(String message) {
     super(-7, message);
   }

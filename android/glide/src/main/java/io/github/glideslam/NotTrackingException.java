@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class NotTrackingException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public NotTrackingException(String message) {
     super(-5, message);
   }

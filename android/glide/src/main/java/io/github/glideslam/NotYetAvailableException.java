@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class NotYetAvailableException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public NotYetAvailableException(String message) {
     super(-12, message);
   }

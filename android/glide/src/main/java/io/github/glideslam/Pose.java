@@ -22,8 +22,15 @@ public final class Pose {
   /** From translation x y z and quaternion x y z w; the quaternion is normalised. */
   public Pose(float[] translation, float[] rotation) {
     this(
-        translation[0], translation[1], translation[2],
-        rotation[0], rotation[1], rotation[2], rotation[3]);
+        checked(translation, 3)[0], translation[1], translation[2],
+        checked(rotation, 4)[0], rotation[1], rotation[2], rotation[3]);
+  }
+
+  private static float[] checked(float[] values, int length) {
+    if (values == null || values.length != length) {
+      throw new InvalidArgumentException("a pose needs arrays of 3 and 4 elements");
+    }
+    return values;
   }
 
   private Pose(double tx, double ty, double tz, double qx, double qy, double qz, double qw) {
@@ -40,10 +47,12 @@ public final class Pose {
     this.qw = qw / norm;
   }
 
+  /** A translation alone. */
   public static Pose makeTranslation(float tx, float ty, float tz) {
     return new Pose(tx, ty, tz, 0, 0, 0, 1);
   }
 
+  /** A rotation alone: quaternion x y z w, which is normalised. */
   public static Pose makeRotation(float x, float y, float z, float w) {
     return new Pose(0, 0, 0, x, y, z, w);
   }
@@ -75,6 +84,7 @@ public final class Pose {
         qw * rhs.qw - qx * rhs.qx - qy * rhs.qy - qz * rhs.qz);
   }
 
+  /** Maps this(p) to p. */
   public Pose inverse() {
     Pose unrotated = new Pose(0, 0, 0, -qx, -qy, -qz, qw);
     double[] t = {-tx, -ty, -tz};
@@ -82,10 +92,12 @@ public final class Pose {
     return new Pose(t[0], t[1], t[2], -qx, -qy, -qz, qw);
   }
 
+  /** The rotation alone. */
   public Pose extractRotation() {
     return new Pose(0, 0, 0, qx, qy, qz, qw);
   }
 
+  /** The translation alone. */
   public Pose extractTranslation() {
     return new Pose(tx, ty, tz, 0, 0, 0, 1);
   }
@@ -134,34 +146,42 @@ public final class Pose {
     dest[offset + 15] = 1;
   }
 
+  /** Translation along x. */
   public float tx() {
     return (float) tx;
   }
 
+  /** Translation along y. */
   public float ty() {
     return (float) ty;
   }
 
+  /** Translation along z. */
   public float tz() {
     return (float) tz;
   }
 
+  /** The quaternion's x. */
   public float qx() {
     return (float) qx;
   }
 
+  /** The quaternion's y. */
   public float qy() {
     return (float) qy;
   }
 
+  /** The quaternion's z. */
   public float qz() {
     return (float) qz;
   }
 
+  /** The quaternion's w. */
   public float qw() {
     return (float) qw;
   }
 
+  /** x y z. */
   public float[] getTranslation() {
     return new float[] {(float) tx, (float) ty, (float) tz};
   }
@@ -187,14 +207,17 @@ public final class Pose {
     return rotateVector(new float[] {1, 0, 0});
   }
 
+  /** The y axis of this frame in its parent. */
   public float[] getYAxis() {
     return rotateVector(new float[] {0, 1, 0});
   }
 
+  /** The z axis of this frame in its parent. */
   public float[] getZAxis() {
     return rotateVector(new float[] {0, 0, 1});
   }
 
+  /** Of a glide_pose in a struct. */
   static Pose read(ByteBuffer struct, int at) {
     int t = at + Layout.POSE_T;
     return new Pose(
@@ -213,6 +236,7 @@ public final class Pose {
     }
   }
 
+  /** Into a glide_pose of a struct. */
   void write(ByteBuffer struct, int at) {
     int t = at + Layout.POSE_T;
     struct.putDouble(at, qx).putDouble(at + 8, qy).putDouble(at + 16, qz).putDouble(at + 24, qw);

@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class ResourceExhaustedException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public ResourceExhaustedException(String message) {
     super(-11, message);
   }

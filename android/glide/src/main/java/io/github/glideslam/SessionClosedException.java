@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class SessionClosedException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public SessionClosedException(String message) {
     super(-100, message);
   }

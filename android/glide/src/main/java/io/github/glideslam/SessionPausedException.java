@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class SessionPausedException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public SessionPausedException(String message) {
     super(-3, message);
   }

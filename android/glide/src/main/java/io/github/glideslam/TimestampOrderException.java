@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class TimestampOrderException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public TimestampOrderException(String message) {
     super(-102, message);
   }

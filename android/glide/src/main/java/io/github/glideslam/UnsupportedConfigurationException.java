@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class UnsupportedConfigurationException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public UnsupportedConfigurationException(String message) {
     super(-8, message);
   }

@@ -4,6 +4,7 @@ package io.github.glideslam;
 public class WrongThreadException extends GlideException {
   private static final long serialVersionUID = 1L;
 
+  /** {@code message} tells why. */
   public WrongThreadException(String message) {
     super(-101, message);
   }
