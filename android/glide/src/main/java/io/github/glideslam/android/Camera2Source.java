@@ -63,6 +63,8 @@ public final class Camera2Source implements AutoCloseable {
   private CameraClock clock;
   private CameraRun run;
   private State state = State.STOPPED;
+  // Until all have come, the thread that they come on has to live.
+  private int awaitedAnswers;
 
   /**
    * Images of the offered size nearest to {@code wanted}. UnsupportedConfigurationException when there
@@ -133,6 +135,7 @@ public final class Camera2Source implements AutoCloseable {
       run = new CameraRun(new Progress(), surface, settings, new Results());
       started = run;
       state = State.OPENING;
+      ++awaitedAnswers;
     }
     tell(State.OPENING, "");
     handler.post(() -> started.open(manager, cameraId, handler));
@@ -159,8 +162,8 @@ public final class Camera2Source implements AutoCloseable {
         return;
       }
       state = State.CLOSED;
+      quitWhenAnswered();
     }
-    thread.quitSafely();
     tell(State.CLOSED, "");
   }
 
@@ -190,6 +193,12 @@ public final class Camera2Source implements AutoCloseable {
     }
   }
 
+  private void quitWhenAnswered() {
+    if (state == State.CLOSED && awaitedAnswers == 0) {
+      thread.quitSafely();
+    }
+  }
+
   private void tell(State newState, String reason) {
     if (listener != null) {
       listener.onStateChanged(newState, reason);
@@ -198,6 +207,14 @@ public final class Camera2Source implements AutoCloseable {
 
   /** What a run that is still wanted reaches. */
   private final class Progress implements CameraRun.Owner {
+    @Override
+    public void onAnswered() {
+      synchronized (Camera2Source.this) {
+        --awaitedAnswers;
+        quitWhenAnswered();
+      }
+    }
+
     @Override
     public void onConfiguring(CameraRun from) {
       reach(from, State.CONFIGURING, "");

@@ -15,8 +15,11 @@ import java.util.Collections;
  * #close}, from any thread, nothing is told to the owner any more.
  */
 final class CameraRun {
-  /** Told on the handler's thread, or on that of {@link #open}. */
+  /** Told on the handler's thread. */
   interface Owner {
+    /** Once, always: the camera has opened, or will not. No device callback was lost. */
+    void onAnswered();
+
     void onConfiguring(CameraRun run);
 
     void onRunning(CameraRun run);
@@ -31,6 +34,7 @@ final class CameraRun {
   private Handler handler;
   private CameraDevice device;
   private boolean closed;
+  private boolean answered;
 
   CameraRun(
       Owner owner,
@@ -43,14 +47,21 @@ final class CameraRun {
     this.results = results;
   }
 
+  /** On the handler's thread. */
   @SuppressLint("MissingPermission") // what Android says about it becomes the reason
   void open(CameraManager manager, String cameraId, Handler callbackHandler) {
     handler = callbackHandler;
+    if (isClosed()) {
+      answer();
+      return;
+    }
     try {
       manager.openCamera(cameraId, new DeviceCallbacks(), handler);
     } catch (SecurityException e) {
+      answer();
       fail("the app has no permission to use the camera");
     } catch (CameraAccessException | IllegalArgumentException e) {
+      answer();
       fail("the camera does not open: " + e.getMessage());
     }
   }
@@ -62,6 +73,16 @@ final class CameraRun {
       device.close(); // its session with it
       device = null;
     }
+  }
+
+  private void answer() {
+    synchronized (this) {
+      if (answered) {
+        return;
+      }
+      answered = true;
+    }
+    owner.onAnswered();
   }
 
   private void fail(String reason) {
@@ -120,6 +141,7 @@ final class CameraRun {
   private final class DeviceCallbacks extends CameraDevice.StateCallback {
     @Override
     public void onOpened(CameraDevice opened) {
+      answer();
       if (take(opened)) {
         configure(opened);
       }
@@ -127,12 +149,14 @@ final class CameraRun {
 
     @Override
     public void onDisconnected(CameraDevice gone) {
+      answer();
       take(gone);
       fail("the camera was taken by another app");
     }
 
     @Override
     public void onError(CameraDevice broken, int error) {
+      answer();
       take(broken);
       fail("the camera reports error " + error);
     }

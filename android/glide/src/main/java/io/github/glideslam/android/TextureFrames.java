@@ -78,10 +78,15 @@ public final class TextureFrames {
     return input;
   }
 
-  /** When the camera is stopped, or before the context is gone or when it is. Not twice. */
+  /** When the camera is stopped, and while the context is current. */
   public void release() {
+    abandon();
+    GLES20.glDeleteTextures(1, new int[] {texture}, 0);
+  }
+
+  /** Instead of it, when the context is gone, and the texture with it. */
+  public void abandon() {
     surface.release();
     surfaceTexture.release();
-    GLES20.glDeleteTextures(1, new int[] {texture}, 0);
   }
 }

@@ -51,6 +51,7 @@ public final class Camera2SourceTest {
     if (source != null) {
       source.close();
     }
+    surface.release();
   }
 
   private ShadowCameraManager cameras() {
@@ -65,7 +66,7 @@ public final class Camera2SourceTest {
     });
   }
 
-  /** Runs what the camera's thread has to do. */
+  /** Waits until the camera's thread has nothing left to do. */
   private void settle() {
     for (Thread thread : Thread.getAllStackTraces().keySet()) {
       if (thread instanceof HandlerThread && thread.isAlive()) {
@@ -125,6 +126,34 @@ public final class Camera2SourceTest {
     settle();
     assertEquals(State.STOPPED, source.getState());
     assertEquals(Arrays.asList(State.OPENING, State.STOPPED), states);
+  }
+
+  @Test
+  public void closeWhileTheCameraOpensEndsTheThreadToo() throws InterruptedException {
+    make(new PhoneCamera());
+    source.start(surface);
+    source.close();
+    for (Thread thread : Thread.getAllStackTraces().keySet()) {
+      if (thread.getName().equals("glide-camera")) {
+        thread.join(10_000);
+        assertFalse(thread.isAlive());
+      }
+    }
+    assertEquals(State.CLOSED, source.getState());
+  }
+
+  @Test
+  public void aSecondStartTakesTheOtherSurface() {
+    make(new PhoneCamera());
+    source.start(surface);
+    settle();
+    Surface other = new Surface(new SurfaceTexture(1));
+    source.start(other);
+    settle();
+    assertEquals(State.RUNNING, source.getState());
+    assertEquals(6, states.size());
+    source.stop();
+    other.release();
   }
 
   @Test
