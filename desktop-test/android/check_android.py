@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Fails where the Gradle project contradicts itself or the rest, or where the C of docs/android.md does not compile.
+
+usage: check_android.py ROOT
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+NAME = "{http://schemas.android.com/apk/res/android}name"
+
+
+def only(pattern, text, what):
+    """The one value that a pattern has in a text."""
+    found = set(re.findall(pattern, text))
+    if len(found) != 1:
+        raise ValueError(f"{what}: expected one value, found {sorted(found)}")
+    return found.pop()
+
+
+def version_faults(root):
+    """One version, one minimal and one compile SDK everywhere; no version left open."""
+    library = (root / "android/glide/build.gradle.kts").read_text()
+    sample = (root / "android/sample/build.gradle.kts").read_text()
+    cmake = only(r"project\(glide VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text(), "CMakeLists.txt")
+    for what, pattern, text in (("the library's version", r'\nversion = "([^"]+)"', library),
+                                ("the sample's version", r'versionName = "([^"]+)"', sample)):
+        if only(pattern, text, what) != cmake:
+            yield f"{what} is not CMake's, {cmake}"
+    only(r"compileSdk = (\d+)", library + sample, "compileSdk")
+    minimal = only(r"minSdk = (\d+)", library + sample, "minSdk")
+    if only(r"aar_min_sdk=(\d+)", (root / "scripts/aar.sh").read_text(), "scripts/aar.sh") != minimal:
+        yield f"scripts/aar.sh has another minimal SDK than Gradle's {minimal}"
+    only(r'id\("com\.android\.\w+"\) version "(\d+\.\d+\.\d+)"', (root / "android/build.gradle.kts").read_text(), "AGP")
+    wrapper = (root / "android/gradle/wrapper/gradle-wrapper.properties").read_text()
+    only(r"gradle-(\d+\.\d+\.\d+)-bin\.zip", wrapper, "Gradle")
+
+
+def activity_faults(root):
+    """What the manifest names must exist."""
+    sample = root / "android/sample"
+    package = only(r'namespace = "([^"]+)"', (sample / "build.gradle.kts").read_text(), "namespace")
+    for activity in xml.etree.ElementTree.parse(sample / "src/main/AndroidManifest.xml").iter("activity"):
+        source = sample / "src/main/java" / package.replace(".", "/") / f"{activity.get(NAME).lstrip('.')}.java"
+        if not source.exists():
+            yield f"the manifest names {activity.get(NAME)}, and there is no {source.relative_to(root)}"
+
+
+def document_faults(root):
+    """The C of the page, against declarations of what it uses of the NDK."""
+    blocks = re.findall(r"```c\n(.*?)```", (root / "docs/android.md").read_text(), re.DOTALL)
+    if len(blocks) != 1:
+        yield f"docs/android.md has {len(blocks)} blocks of C, not one"
+        return
+    here = root / "desktop-test/android/ndk_declarations"
+    command = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", f"-I{root}/core/include", f"-I{here}"]
+    compiled = subprocess.run([*command, "-xc", "-"], input=blocks[0], text=True, capture_output=True, check=False)
+    if compiled.returncode != 0:
+        yield f"the C of docs/android.md does not compile:\n{compiled.stderr}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    faults = [*version_faults(root), *activity_faults(root), *document_faults(root)]
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
