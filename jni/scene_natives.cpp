@@ -19,6 +19,7 @@ void JNICALL setMetricScale(JNIEnv* env, jclass /*type*/, jlong session, jfloat 
   });
 }
 
+// NOLINTNEXTLINE(readability-function-size): Java has no structs to pass
 void JNICALL setGravity(JNIEnv* env, jclass /*type*/, jlong session, jfloat x, jfloat y, jfloat z) {
   guarded(env, [&] {
     const std::array<float, 3> down{x, y, z};
@@ -26,6 +27,7 @@ void JNICALL setGravity(JNIEnv* env, jclass /*type*/, jlong session, jfloat x, j
   });
 }
 
+// NOLINTNEXTLINE(readability-function-size): Java has no structs to pass
 void JNICALL setDisplay(
     JNIEnv* env, jclass /*type*/, jlong session, jint rotation_deg, jint width, jint height) {
   guarded(env, [&] {
@@ -85,6 +87,7 @@ jint JNICALL pointCloud(JNIEnv* env, jclass /*type*/, jlong session, jobject poi
   return countOf(count);
 }
 
+// NOLINTNEXTLINE(readability-function-size): Java has no structs to pass
 jint JNICALL
 hitTest(JNIEnv* env, jclass /*type*/, jlong session, jfloat x, jfloat y, jobject hits) {
   std::size_t count = 0;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reads the include graph of core/ and fails where it breaks the layers of docs/architecture.md.
+"""Reads the include graph of core/ and jni/ and fails where it breaks the layers of docs/architecture.md.
 
 usage: check_layers.py ROOT
 """
@@ -79,11 +79,28 @@ def check_file(root, path):
     return found
 
 
+def check_binding(root, path):
+    """jni/ is a client like any app: the C ABI, itself, and what is no library of the core's."""
+    found = []
+    for mark, name in INCLUDE.findall((root / path).read_text()):
+        is_own = (root / path.parent / name).is_file()
+        if mark == '"' and name != "glide/glide.h" and not is_own:
+            found.append(f'"{name}": jni/ includes glide/glide.h and itself')
+        elif mark == "<":
+            found += [f"<{name}>: {rule}" for library, _, rule in LIBRARIES if re.match(library, name)]
+    return found
+
+
+def sources(root, folder):
+    return sorted(p.relative_to(root) for p in (root / folder).rglob("*") if p.suffix in (".h", ".cpp"))
+
+
 def check(root):
     """All faults as lines of text, and the number of files read."""
-    files = sorted(p.relative_to(root) for p in (root / "core").rglob("*") if p.suffix in (".h", ".cpp"))
-    faults = [f"{path}: {fault}" for path in files for fault in check_file(root, path)]
-    return faults, len(files)
+    core, jni = sources(root, "core"), sources(root, "jni")
+    faults = [f"{path}: {fault}" for path in core for fault in check_file(root, path)]
+    faults += [f"{path}: {fault}" for path in jni for fault in check_binding(root, path)]
+    return faults, len(core) + len(jni)
 
 
 def main():

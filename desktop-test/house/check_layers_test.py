@@ -68,6 +68,15 @@ class CheckLayers(unittest.TestCase):
         self.write("utils/stuff.h", "")
         self.assert_one_fault("core/utils/")
 
+    def test_lets_the_java_binding_see_the_c_abi_only(self):
+        self.write("../jni/guard.h", "#include <jni.h>")
+        self.write("../jni/natives.cpp", '#include "guard.h"\n#include "glide/glide.h"\n#include <vector>')
+        self.assertEqual(self.faults(), [])
+        self.write("../jni/more.cpp", '#include "glide/session.h"')
+        self.assert_one_fault("jni/ includes glide/glide.h and itself")
+        self.write("../jni/more.cpp", "#include <Eigen/Core>\n#include <ceres/ceres.h>")
+        self.assert_one_fault("ceres")
+
 
 if __name__ == "__main__":
     unittest.main()

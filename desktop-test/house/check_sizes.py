@@ -10,7 +10,7 @@ import sys
 
 import cpp_functions
 
-FOLDERS = ("core", "shaders", "desktop-test", "scripts", "cmake")
+FOLDERS = ("core", "jni", "shaders", "desktop-test", "scripts", "cmake")
 SOURCES = {".h", ".cpp", ".comp", ".glsl"}
 COUNTED = SOURCES | {".py", ".sh", ".cmake", ".txt"}
 MAX_FILE_LINES = 300
