@@ -13,7 +13,7 @@ import zipfile
 ROOT = pathlib.Path(sys.argv.pop(1))
 SCRIPTS = ROOT / "scripts/aar"
 SOURCE = "int JNI_OnLoad(void) { return 1; } int glide_session_create(void) { return 0; }"
-MANIFEST = """<manifest xmlns:android="http://schemas.android.com/apk/res/android" package="io.github.glideslam">
+MANIFEST = """<manifest xmlns:android="http://schemas.android.com/apk/res/android">
   <uses-feature android:glEsVersion="0x00030001" android:required="true" />
 </manifest>"""
 
@@ -103,6 +103,11 @@ class Aar(unittest.TestCase):
         self.package(f"x86_64={self.library()}")
         self.change("prefab/prefab.json", b'{"schema_version": 1, "name": "glide-slam", "dependencies": []}')
         self.assert_fault("prefab.json")
+
+    def test_finds_a_manifest_without_package(self):
+        self.package(f"x86_64={self.library()}")
+        self.change("AndroidManifest.xml", MANIFEST.encode())
+        self.assert_fault("package", "minimal SDK")
 
     def test_finds_a_manifest_without_opengl(self):
         self.package(f"x86_64={self.library()}")

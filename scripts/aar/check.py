@@ -88,8 +88,12 @@ def classes_faults(archive, folder):
 
 def manifest_faults(archive):
     manifest = xml.etree.ElementTree.fromstring(archive.read("AndroidManifest.xml"))
-    versions = [feature.get("{http://schemas.android.com/apk/res/android}glEsVersion")
-                for feature in manifest.iter("uses-feature")]
+    if manifest.get("package") != "io.github.glideslam":
+        yield f"AndroidManifest.xml: package is {manifest.get('package')}"
+    if len(list(manifest.iter("uses-sdk"))) != 1:
+        yield "AndroidManifest.xml: does not tell the minimal SDK"
+    android = "{http://schemas.android.com/apk/res/android}"
+    versions = [feature.get(f"{android}glEsVersion") for feature in manifest.iter("uses-feature")]
     if "0x00030001" not in versions:
         yield "AndroidManifest.xml: does not ask for OpenGL ES 3.1"
 

@@ -14,6 +14,7 @@ import zipfile
 
 # The oldest time that a zip can hold: the same input gives the same bytes.
 EPOCH = (1980, 1, 1, 0, 0, 0)
+PACKAGE = "io.github.glideslam"
 MODULE = "glide"
 LIBRARY = "libglide_jni.so"
 # ABIs that Android has. Others are for tests of the packaging and say so in their name.
@@ -57,10 +58,20 @@ def prefab_entries(options, libraries):
         yield f"{root}/libs/android.{abi}/{LIBRARY}", read(path)
 
 
+def manifest(project, min_sdk):
+    """The project's, with what Gradle has in its own files and an archive in the manifest: package and minimal SDK."""
+    text = read(project / "src/main/AndroidManifest.xml").decode()
+    merged, changes = re.subn(
+        r"<manifest ([^>]*)>", rf'<manifest \1 package="{PACKAGE}">\n    <uses-sdk android:minSdkVersion="{min_sdk}" />', text)
+    if changes != 1:
+        raise PackagingError(f"{project}/src/main/AndroidManifest.xml: has no <manifest ...>")
+    return merged
+
+
 def entries(options):
     project = pathlib.Path(options.android_project)
     libraries = [parse_library(text) for text in options.library]
-    yield "AndroidManifest.xml", read(project / "src/main/AndroidManifest.xml")
+    yield "AndroidManifest.xml", manifest(project, options.min_sdk)
     yield "classes.jar", read(options.classes)
     yield "proguard.txt", read(project / "consumer-rules.pro")
     yield "R.txt", b""
