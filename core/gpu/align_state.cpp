@@ -5,10 +5,6 @@
 namespace glide {
 namespace {
 
-/// A frame takes milliseconds on a phone and a second on the slowest software driver; after this
-/// the GPU hangs.
-constexpr std::uint64_t kTimeoutNs = 20'000'000'000;
-
 constexpr std::int32_t kNoLevelEnded = -1;
 
 Mat6d unpackHessian(const float* lower) {
@@ -33,7 +29,7 @@ void AlignStateBuffer::start(const SE3d& T_cam_ref_guess) const {
 std::optional<GpuAlignState> AlignStateBuffer::finish(GpuCommands& commands) const {
   commands.barrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // the state is mapped
   const GlSync fence = GlSync::insert();
-  if (!fence.wait(kTimeoutNs)) return std::nullopt;
+  if (!fence.wait(kGpuTimeoutNs)) return std::nullopt;
   GpuAlignState state;
   if (!buffer_.read(&state, sizeof(state))) return std::nullopt;
   return state;

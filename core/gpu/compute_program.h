@@ -34,6 +34,9 @@ class ComputeProgram {
   GlProgram program_;
 };
 
+/// local_size_x of the kernels that go over an image; GROUP_ROWS is their local_size_y.
+inline constexpr int kGroupWidth = 32;
+
 /// Workgroups of `group_size` that cover `items`.
 inline GLuint groupCount(int items, int group_size) {
   return static_cast<GLuint>((items + group_size - 1) / group_size);

@@ -29,8 +29,8 @@ struct GlCaps {
   /// Of glProgramBinary; many drivers have none.
   std::vector<std::uint32_t> program_binary_formats;
 
-  /// Asks the context that is current on this thread. `unsupported`, with what is there instead,
-  /// when there is none or it is not OpenGL ES 3.1 or newer.
+  /// Asks the context that is current on this thread. missing_context when there is none,
+  /// unsupported, with what is there instead, when it is not OpenGL ES 3.1 or newer.
   static Result<GlCaps> query();
 };
 

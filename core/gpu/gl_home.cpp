@@ -39,6 +39,7 @@ GlHome::GlHome(GlSampler mark)
       last_(creator_) {}
 
 bool GlHome::isHere() const {
+  if (mark_.get() == 0) return false;  // abandoned: no GL call any more
   return eglGetCurrentContext() != EGL_NO_CONTEXT && glIsSampler(mark_.get()) == GL_TRUE &&
          minLod(mark_.get()) == mark_min_lod_;
 }

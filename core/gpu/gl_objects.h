@@ -101,6 +101,10 @@ class GlTexture {
   int width_ = 0, height_ = 0;
 };
 
+/// A frame takes milliseconds on a phone and seconds on the slowest software driver; after this the
+/// GPU hangs.
+inline constexpr std::uint64_t kGpuTimeoutNs = 20'000'000'000;
+
 /// A fence after everything submitted so far.
 class GlSync {
  public:

@@ -5,7 +5,6 @@
 namespace glide {
 namespace {
 
-constexpr int kGroupWidth = 32;    // local_size_x of the kernels
 constexpr int kStripColumns = 2;   // outputs of a strip in a row, fixed in the shader
 constexpr int kTileHeight = 16;    // outputs of a tile in a column, fixed in the shader
 constexpr int kMaxStripRows = 8;   // longer strips save no more fetches worth the name

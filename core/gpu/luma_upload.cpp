@@ -3,9 +3,6 @@
 #include <cassert>
 
 namespace glide {
-namespace {
-constexpr int kGroupWidth = 32;  // local_size_x of the kernel
-}
 
 Result<LumaUpload> LumaUpload::create(int width,
                                       int height,

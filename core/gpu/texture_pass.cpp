@@ -7,8 +7,6 @@
 namespace glide {
 namespace {
 
-constexpr int kGroupWidth = 32;  // local_size_x of the kernels
-
 // layout(location) of shaders/texture_source.glsl
 constexpr GLint kOrigin = 0, kPerColumn = 1, kPerRow = 2, kWeights = 3;
 
@@ -108,7 +106,7 @@ Status TexturePass::prepare(const Texture& texture, GlStatePolicy policy) {
                  "GL_OES_EGL_image_external"};
   Status checked = external ? checkExternal(texture, policy) : checkPlain(texture);
   if (checked) checked = prepareSamplers();
-  if (checked) checked = prepareProgram(external);
+  if (checked) checked = prepareProgram(texture.target);
   if (checked) prepared_ = texture;
   return checked;
 }
@@ -121,7 +119,8 @@ Status TexturePass::prepareSamplers() {
   return Unit{};
 }
 
-Status TexturePass::prepareProgram(bool external) {
+Status TexturePass::prepareProgram(GLenum target) {
+  const bool external = target == GL_TEXTURE_EXTERNAL_OES;
   const bool is_sampled = external && samples_external_;
   if (external && !is_sampled && !draw_) {
     Result<ExternalDraw> draw = ExternalDraw::create(frame_);
@@ -135,7 +134,7 @@ Status TexturePass::prepareProgram(bool external) {
   Result<ComputeProgram> built = ComputeProgram::create(kernel_.shader, defines, kernel_.programs);
   if (!built && is_sampled && draws_external_) {
     samples_external_ = false;  // the driver has the extension in name only
-    return prepareProgram(external);
+    return prepareProgram(target);
   }
   if (!built) return built.error();
   program = std::move(*built);

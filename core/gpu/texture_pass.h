@@ -53,7 +53,7 @@ class TexturePass {
   void abandon();
 
  private:
-  Status prepareProgram(bool external);
+  Status prepareProgram(GLenum target);
   Status prepareSamplers();
   void bindPlain(const Texture& texture) const;
   void bindExternal(const Texture& texture, GlStatePolicy policy, TextureBinding* binding) const;

@@ -7,10 +7,8 @@ namespace glide {
 namespace {
 
 constexpr int kGroupSize = 64;     // one size for all devices: this pass is rare and short
-constexpr int kGroupWidth = 32;    // local_size_x of the kernel
 constexpr int kPixelsPerWord = 4;  // of the kernel
 constexpr GLint kWords = 4;        // layout(location) of its own uniform
-constexpr std::uint64_t kTimeoutNs = 20'000'000'000;  // as for an alignment
 
 /// Bytes of the rows that the kernel writes: laid out as those of `luma`.
 std::int64_t bytesOf(const ImageU8& luma) {
@@ -71,7 +69,7 @@ bool TextureReader::read(const Texture& texture, ImageU8* luma) {
   luma->resize(pass_.frame().width, pass_.frame().height);
   const GlVisit visit(&home_, policy_);
   submit(texture, static_cast<int>(luma->stride()) / kPixelsPerWord);
-  return GlSync::insert().wait(kTimeoutNs) && bytes_.read(luma->row(0), bytesOf(*luma));
+  return GlSync::insert().wait(kGpuTimeoutNs) && bytes_.read(luma->row(0), bytesOf(*luma));
 }
 
 }  // namespace glide

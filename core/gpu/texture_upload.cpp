@@ -1,9 +1,6 @@
 #include "gpu/texture_upload.h"
 
 namespace glide {
-namespace {
-constexpr int kGroupWidth = 32;  // local_size_x of the kernel
-}
 
 TextureUpload::TextureUpload(const GlCaps& caps,
                              FrameSize frame,

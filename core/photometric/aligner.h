@@ -27,7 +27,7 @@ class Aligner {
   Aligner& operator=(const Aligner&) = delete;
 
   /// Takes a new frame: upload and pyramid. Pixels have the camera's size. An error when the image
-  /// cannot be taken: a texture by the CPU, or one that the GPU cannot read (gpu/texture_check.h).
+  /// cannot be taken: a texture by the CPU, or one that the GPU cannot read (gpu/texture_pass.h).
   /// The frame before stays loaded then.
   virtual Status loadFrame(const FrameImage& image) = 0;
 

@@ -18,8 +18,8 @@ struct ChosenAligner {
   BackendInfo info;
 };
 
-/// Backend::gles needs a current ES 3.1 context (unsupported otherwise); Backend::automatic takes
-/// one that is hardware, else the CPU.
+/// Backend::gles needs a current ES 3.1 context (missing_context without one, unsupported with
+/// another); Backend::automatic takes one that is hardware, else the CPU.
 Result<ChosenAligner> chooseAligner(const Config& config, const CameraModel& camera);
 
 }  // namespace glide

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
@@ -41,6 +42,8 @@ Status FrameReader::checkLuma(const Luma& luma) const {
     return invalid("FrameInput.image is " + sizeText(luma.width, luma.height) +
                    ", but the camera of the config is " + sizeText(width_, height_));
   if (luma.stride < luma.width) return invalid("FrameInput.image.stride is smaller than the width");
+  if (luma.stride > std::numeric_limits<int>::max())  // GL_UNPACK_ROW_LENGTH is an int
+    return invalid("FrameInput.image.stride is larger than an int");
   return Unit{};
 }
 

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::int64_t kBytes = std::int64_t{64} << 20;  // beyond any last-level cache
 constexpr int kTries = 6;
-constexpr std::uint64_t kTimeoutNs = 20'000'000'000;
 
 }  // namespace
 
@@ -25,7 +24,7 @@ Result<double> measureBandwidth() {
   for (int i = 0; i < kTries; ++i) {
     Stopwatch watch;
     glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, kBytes);
-    is_done = is_done && GlSync::insert().wait(kTimeoutNs);
+    is_done = is_done && GlSync::insert().wait(kGpuTimeoutNs);
     best_ms = std::min(best_ms, watch.lapMs());
   }
   glBindBuffer(GL_COPY_READ_BUFFER, 0);

@@ -35,7 +35,7 @@ struct Options {
 };
 
 inline constexpr int kExitOk = 0, kExitUsage = 1, kExitCannotWrite = 2, kExitNoGl = 3;
-inline constexpr int kExitGlFails = 4;  ///< for instance a shader that does not build
+inline constexpr int kExitGlFails = 4;  ///< for instance a shader that does not build, or no pose
 inline constexpr int kExitNotLinear = 5;
 
 /// The options, or the exit status of a program that has nothing to do (--help, wrong usage), which

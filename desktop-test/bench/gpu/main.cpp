@@ -1,6 +1,6 @@
 // glide-gpu-bench: times the stages of a direct frame on OpenGL ES 3.1 by the paper's plan and
 // ours. Exit status: 0 ok, 1 usage, 2 the plot cannot be written, 3 no GL, or less of it than is
-// needed, 4 GL fails, 5 a sweep grows faster than the work.
+// needed, 4 GL or an alignment fails, 5 a sweep grows faster than the work.
 #include "bench/gpu/command_line.h"
 #include "bench/gpu/measure.h"
 #include "bench/gpu/report.h"

@@ -21,6 +21,9 @@ Result<double> poseDifference(const GlCaps& caps, const Options& options, const 
   double worst = 0.0;
   for (int i = 0; i < static_cast<int>(scene.frames.size()); ++i) {
     for (PlanRun& run : runs) run.frame(i);
+    for (const PlanRun& run : runs) {
+      if (Status found = run.check(); !found) return found.error();
+    }
     const SE3d difference =
         runs.front().result().T_cam_ref.inverse() * runs.back().result().T_cam_ref;
     worst = std::max(worst, difference.log().norm());
@@ -51,13 +54,15 @@ Spread spreadOf(std::vector<double> values) {
   return {at(0.5), at(0.95)};
 }
 
-void playInterleaved(int frames, std::vector<PlanRun>* runs) {
+Status playInterleaved(int frames, std::vector<PlanRun>* runs) {
   for (int i = -kWarmUpFrames; i < frames; ++i) {
     for (PlanRun& run : *runs) {
       if (i == 0) run.restart();
       run.frame(std::max(i, 0));
+      if (Status found = run.check(); !found) return found;
     }
   }
+  return Unit{};
 }
 
 Result<std::vector<PlanRun>> measurePlans(const GlCaps& caps,
@@ -70,7 +75,7 @@ Result<std::vector<PlanRun>> measurePlans(const GlCaps& caps,
     if (!run) return run.error();
     runs.push_back(std::move(*run));
   }
-  playInterleaved(workload.frames, &runs);
+  if (Status played = playInterleaved(workload.frames, &runs); !played) return played.error();
   return runs;
 }
 

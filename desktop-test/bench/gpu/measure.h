@@ -29,8 +29,9 @@ struct Measurement {
 /// One for each plan of the options.
 std::vector<PlanRun::Spec> specsOf(const Options& options, Maths maths, GpuTiming timing);
 
-/// So many frames of each after a warm-up, in turn: what disturbs the machine disturbs all.
-void playInterleaved(int frames, std::vector<PlanRun>* runs);
+/// So many frames of each after a warm-up, in turn: what disturbs the machine disturbs all. Errors
+/// as PlanRun::check.
+Status playInterleaved(int frames, std::vector<PlanRun>* runs);
 
 /// Runs all plans of `specs` on the same frames, interleaved.
 Result<std::vector<PlanRun>> measurePlans(const GlCaps& caps,

@@ -42,10 +42,11 @@ PlanRun::PlanRun(std::unique_ptr<GpuAligner> aligner,
 
 void PlanRun::frame(int index) {
   const std::size_t view = static_cast<std::size_t>(index) % scene_->frames.size();
-  aligner_->loadFrame(scene_->reference.view());
+  is_valid_ = aligner_->loadFrame(scene_->reference.view()).ok() && is_valid_;
   aligner_->promoteReference(scene_->points_ref);
-  aligner_->loadFrame(scene_->frames[view].view());
+  is_valid_ = aligner_->loadFrame(scene_->frames[view].view()).ok() && is_valid_;
   result_ = aligner_->align(SE3d{});
+  is_valid_ = result_.valid && is_valid_;
   const GpuTimer& timer = aligner_->stageTimes();
   double frame_ms = 0.0;
   for (std::size_t s = 0; s < kGpuStages; ++s) {
@@ -58,6 +59,13 @@ void PlanRun::frame(int index) {
     level_ms_[level].push_back(timer.levelMs(static_cast<int>(level)));
     iterations_[level] += result_.iterations[level];
   }
+}
+
+Status PlanRun::check() const {
+  if (is_valid_) return Unit{};
+  return Error{ErrorCode::gl,
+               "an alignment has found no pose: the GPU does not answer, or the images are too "
+               "small for points on them"};
 }
 
 void PlanRun::restart() {

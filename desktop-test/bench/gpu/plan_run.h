@@ -43,6 +43,8 @@ class PlanRun {
   GpuPlan plan() const { return spec_.tuning.plan; }
   /// Of the last frame.
   const AlignResult& result() const { return result_; }
+  /// gl when any alignment so far has found no pose: its times are of something else.
+  Status check() const;
   bool usesQueries() const { return aligner_->stageTimes().usesQueries(); }
   const GpuCommands& commands() const { return aligner_->commands(); }
   /// Milliseconds, one per frame.
@@ -70,6 +72,7 @@ class PlanRun {
   const BenchScene* scene_;
   Spec spec_;
   AlignResult result_;
+  bool is_valid_ = true;  ///< all alignments so far
   std::array<std::vector<double>, kGpuStages> stage_ms_;
   std::array<std::vector<double>, kMaxAlignLevels> level_ms_;
   std::vector<double> frame_ms_;

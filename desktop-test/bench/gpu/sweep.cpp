@@ -108,7 +108,8 @@ Result<Sweep> measureSweep(const GlCaps& caps, const Options& options) {
       runs.push_back(std::move(*run));
     }
   }
-  playInterleaved(options.workload.frames, &runs);
+  const Status played = playInterleaved(options.workload.frames, &runs);
+  if (!played) return played.error();
 
   Sweep sweep{gpuJson(caps, runs.front()), options.workload, options.plans, {}, {}};
   for (std::size_t i = 0; i < workloads.size(); ++i) {

@@ -101,8 +101,10 @@ TEST(Session, RefusesBadInputByNameAndGoesOn) {
   wrong.width = 100;
   EXPECT_THAT(session.update({200, wrong}).error().message, HasSubstr("100x240"));
   wrong = luma;
-  wrong.stride = 10;
-  EXPECT_THAT(session.update({200, wrong}).error().message, HasSubstr("stride"));
+  for (const std::ptrdiff_t stride : {std::ptrdiff_t{10}, std::ptrdiff_t{1} << 40}) {
+    wrong.stride = stride;
+    EXPECT_THAT(session.update({200, wrong}).error().message, HasSubstr("stride"));
+  }
   EXPECT_THAT(session.update({100, luma}).error().message, HasSubstr("t_ns"));
   EXPECT_TRUE(session.update({200, luma}).ok());
 }
