@@ -17,7 +17,7 @@ skip() {
 
 maven() {
   mvn --batch-mode --no-transfer-progress -Dmaven.repo.local="$repository" -f "$here/pom.xml" \
-    -Dout="$build/android_java" "$@"
+    -Dout="$build/android_java" -Dlibrary="$build/jni" "$@"
 }
 
 # Everything that Maven fetches, by one test that needs no Robolectric.

@@ -79,13 +79,9 @@ final class ArRenderer implements GLSurfaceView.Renderer {
   @Override
   public void onSurfaceCreated(GL10 gl, EGLConfig config) {
     if (ar != null) {
-      ar.setSurface(null);
       ar.session.abandonGl();
     }
-    if (frames != null) {
-      frames.abandon();
-      frames = null;
-    }
+    abandonFrames();
     background = new CameraBackground();
     points = new PointOverlay();
     cube = new Cube();
@@ -110,6 +106,15 @@ final class ArRenderer implements GLSurfaceView.Renderer {
     background.draw(frames.getTextureName());
     if (isTracking()) {
       guarded(this::drawScene);
+    }
+  }
+
+  /** When the context is gone, or goes with the view; by queueEvent. */
+  void abandonFrames() {
+    if (frames != null) {
+      ar.setSurface(null);
+      frames.abandon();
+      frames = null;
     }
   }
 

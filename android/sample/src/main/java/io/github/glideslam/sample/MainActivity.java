@@ -84,6 +84,7 @@ public final class MainActivity extends Activity {
 
   @Override
   protected void onDestroy() {
+    glView.queueEvent(renderer::abandonFrames);
     if (ar != null) {
       background.execute(ar::close); // may take seconds
     }

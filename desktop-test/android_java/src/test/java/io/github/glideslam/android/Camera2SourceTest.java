@@ -8,7 +8,6 @@ import static org.junit.Assert.assertTrue;
 import android.content.Context;
 import android.graphics.SurfaceTexture;
 import android.hardware.camera2.CameraManager;
-import android.os.HandlerThread;
 import android.util.Size;
 import android.view.Surface;
 import io.github.glideslam.CameraInput;
@@ -27,7 +26,6 @@ import org.robolectric.RuntimeEnvironment;
 import org.robolectric.annotation.Config;
 import org.robolectric.shadow.api.Shadow;
 import org.robolectric.shadows.ShadowCameraManager;
-import org.robolectric.shadows.ShadowLooper;
 
 @RunWith(RobolectricTestRunner.class)
 @Config(sdk = 34, manifest = Config.NONE)
@@ -66,23 +64,12 @@ public final class Camera2SourceTest {
     });
   }
 
-  /** Waits until the camera's thread has nothing left to do. */
-  private void settle() {
-    for (Thread thread : Thread.getAllStackTraces().keySet()) {
-      if (thread instanceof HandlerThread && thread.isAlive()) {
-        ShadowLooper looper = Shadow.extract(((HandlerThread) thread).getLooper());
-        looper.idle();
-      }
-    }
-    ShadowLooper.idleMainLooper();
-  }
-
   @Test
   public void opensConfiguresRunsAndStops() {
     make(new PhoneCamera());
     assertEquals(State.STOPPED, source.getState());
     source.start(surface);
-    settle();
+    CameraThread.settle();
     assertEquals(State.RUNNING, source.getState());
     source.stop();
     source.stop();
@@ -98,13 +85,13 @@ public final class Camera2SourceTest {
   public void aCameraThatIsTakenAwayFailsAndCanBeStartedAgain() {
     make(new PhoneCamera());
     source.start(surface);
-    settle();
+    CameraThread.settle();
     cameras().triggerDisconnect();
-    settle();
+    CameraThread.settle();
     assertEquals(State.FAILED, source.getState());
     assertEquals("the camera was taken by another app", reasons.get(reasons.size() - 1));
     source.start(surface);
-    settle();
+    CameraThread.settle();
     assertEquals(State.RUNNING, source.getState());
   }
 
@@ -113,7 +100,7 @@ public final class Camera2SourceTest {
     make(new PhoneCamera());
     cameras().removeCamera("0");
     source.start(surface);
-    settle();
+    CameraThread.settle();
     assertEquals(State.FAILED, source.getState());
     assertTrue(reasons.toString(), reasons.get(reasons.size() - 1).contains("does not open"));
   }
@@ -123,7 +110,7 @@ public final class Camera2SourceTest {
     make(new PhoneCamera());
     source.start(surface);
     source.stop();
-    settle();
+    CameraThread.settle();
     assertEquals(State.STOPPED, source.getState());
     assertEquals(Arrays.asList(State.OPENING, State.STOPPED), states);
   }
@@ -146,10 +133,10 @@ public final class Camera2SourceTest {
   public void aSecondStartTakesTheOtherSurface() {
     make(new PhoneCamera());
     source.start(surface);
-    settle();
+    CameraThread.settle();
     Surface other = new Surface(new SurfaceTexture(1));
     source.start(other);
-    settle();
+    CameraThread.settle();
     assertEquals(State.RUNNING, source.getState());
     assertEquals(6, states.size());
     source.stop();

@@ -13,12 +13,12 @@ import org.robolectric.shadows.ShadowCameraCharacteristics;
 import org.robolectric.shadows.StreamConfigurationMapBuilder;
 
 /** What a phone of 2020 tells about the camera on its back. */
-final class PhoneCamera {
+public final class PhoneCamera {
   private final CameraCharacteristics told =
       ShadowCameraCharacteristics.newCameraCharacteristics();
 
   @SuppressWarnings("rawtypes") // arrays of generics
-  PhoneCamera() {
+  public PhoneCamera() {
     StreamConfigurationMap streams = StreamConfigurationMapBuilder.newBuilder()
         .addOutputSize(new Size(1920, 1080))
         .addOutputSize(new Size(640, 480))
@@ -52,7 +52,7 @@ final class PhoneCamera {
         CameraCharacteristics.LENS_INTRINSIC_CALIBRATION, new float[] {3200, 3200, 2000, 1500, 0});
   }
 
-  CameraCharacteristics characteristics() {
+  public CameraCharacteristics characteristics() {
     return told;
   }
 }
