@@ -26,10 +26,9 @@ target_compile_options(glide_flags INTERFACE -Wall -Wextra -Wconversion -Wshadow
 if(GLIDE_WERROR AND NOT GLIDE_SANITIZE)
   target_compile_options(glide_flags INTERFACE -Werror)
 endif()
-# Phones count every byte of a library: what nothing calls is left out, function by function.
+# Phones count every byte of a library: what nothing calls can be left out, function by function.
 if(CMAKE_CROSSCOMPILING)
   target_compile_options(glide_flags INTERFACE -ffunction-sections -fdata-sections)
-  target_link_options(glide_flags INTERFACE -Wl,--gc-sections)
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   target_compile_definitions(glide_flags INTERFACE EIGEN_NO_DEBUG)

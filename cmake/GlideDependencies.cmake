@@ -4,8 +4,8 @@ if(GLIDE_ANDROID_DEPS)
   list(PREPEND CMAKE_PREFIX_PATH ${GLIDE_ANDROID_DEPS})
 endif()
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
-# The suffix is where OpenCV installs itself for Android.
-find_package(OpenCV REQUIRED COMPONENTS core imgproc PATH_SUFFIXES sdk/native/jni)
+# The suffix: where OpenCV installs itself for Android.
+find_package(OpenCV REQUIRED COMPONENTS core imgproc PATH_SUFFIXES sdk/native/jni/abi-${ANDROID_ABI})
 find_package(Ceres REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)

@@ -1,5 +1,5 @@
 # Debian's g++-aarch64-linux-gnu: the nearest to Android's arm64 that needs no NDK (./glide test --arch arm64).
-# scripts/arm64.sh fills these two folders.
+# scripts/arm64.sh fills these two folders. Not with GLIDE_PCH: gcc 12 crashes where arm_sve.h follows a precompiled header.
 cmake_path(SET glide_cache NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../../build/cache")
 set(glide_arm64_system ${glide_cache}/arm64/system)
 set(glide_arm64_dependencies ${glide_cache}/deps/aarch64-linux-gnu)
