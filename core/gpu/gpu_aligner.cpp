@@ -67,7 +67,8 @@ Result<std::unique_ptr<GpuAligner>> GpuAligner::createWith(const GlCaps& caps,
 Result<GpuAligner::Stages> GpuAligner::createStages(const GlCaps& caps, const GpuAlignSpec& spec) {
   const int width = spec.camera.width();
   const int height = spec.camera.height();
-  Result<LumaUpload> upload = LumaUpload::create(width, height, spec.tuning.group_size, spec.programs);
+  Result<LumaUpload> upload =
+      LumaUpload::create(width, height, spec.tuning.group_size, spec.programs);
   if (!upload) return upload.error();
   GpuPyramid frame = GpuPyramid::allocate(width, height, spec.levels);
   Result<PyramidPass> pyramid = PyramidPass::create(spec.tuning, frame, spec.programs);

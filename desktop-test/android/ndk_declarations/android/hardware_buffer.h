@@ -1,7 +1,8 @@
 #pragma once
 
-// The declarations of the Android NDK that core/gpu/hardware_buffer_android.cpp uses, written from the NDK's public
-// reference: enough to compile that file where there is no NDK (CMakeLists.txt beside this folder). Never linked.
+// The declarations of the Android NDK that core/gpu/hardware_buffer_android.cpp uses, written from
+// the NDK's public reference: enough to compile that file where there is no NDK (CMakeLists.txt
+// beside this folder). Never linked.
 #include <stdint.h>
 
 #ifdef __cplusplus
