@@ -120,6 +120,11 @@ void AppSession::reset() {
   forgetMap();
 }
 
+void AppSession::waitForMapping() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  session_.waitForMapping();
+}
+
 BackendInfo AppSession::backend() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return session_.backend();

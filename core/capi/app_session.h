@@ -32,6 +32,7 @@ class AppSession {
   void pause();
   void resume();
   void reset();
+  void waitForMapping();
   BackendInfo backend() const;
 
   glide_status pushImu(const glide_imu_sample* samples, std::size_t count);

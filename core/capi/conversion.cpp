@@ -22,6 +22,11 @@ constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 Error invalid(const std::string& what) { return {ErrorCode::invalid_argument, what}; }
 
+static_assert(static_cast<int>(DistortionModel::none) == GLIDE_DISTORTION_NONE);
+static_assert(static_cast<int>(DistortionModel::radial_tangential) == GLIDE_DISTORTION_RADTAN);
+static_assert(static_cast<int>(DistortionModel::kannala_brandt4) ==
+              GLIDE_DISTORTION_KANNALA_BRANDT4);
+
 /// The enum's value for a C number; nothing beyond the last.
 template <class E, std::size_t n>
 std::optional<E> pick(const std::array<E, n>& values, std::int32_t number) {
@@ -111,6 +116,30 @@ std::int32_t trackerOf(TrackerKind tracker) {
       break;
   }
   return GLIDE_TRACKER_NONE;
+}
+
+std::int32_t switchOf(SwitchReason reason) {
+  switch (reason) {
+    case SwitchReason::none:
+      return GLIDE_SWITCH_NONE;
+    case SwitchReason::no_reference:
+      return GLIDE_SWITCH_NO_REFERENCE;
+    case SwitchReason::solve_failed:
+      return GLIDE_SWITCH_SOLVE_FAILED;
+    case SwitchReason::too_few_visible:
+      return GLIDE_SWITCH_TOO_FEW_VISIBLE;
+    case SwitchReason::photometric_error:
+      return GLIDE_SWITCH_PHOTOMETRIC_ERROR;
+    case SwitchReason::baseline:
+      return GLIDE_SWITCH_BASELINE;
+    case SwitchReason::rotation:
+      return GLIDE_SWITCH_ROTATION;
+    case SwitchReason::max_direct_frames:
+      return GLIDE_SWITCH_MAX_DIRECT_FRAMES;
+    case SwitchReason::disabled:
+      break;
+  }
+  return GLIDE_SWITCH_DISABLED;
 }
 
 void copyCorrection(const WorldCorrection& correction, const AppWorld& world, glide_frame* frame) {
@@ -210,6 +239,13 @@ glide_frame toC(const FrameResult& result, const AppWorld& world) {
   frame.features_ms = f(result.stats.features_ms);
   frame.match_ms = f(result.stats.match_ms);
   frame.pose_ms = f(result.stats.pose_ms);
+  frame.mapping_ms = f(result.stats.mapping_ms);
+  frame.readback_ms = f(result.stats.readback_ms);
+  frame.rms = f(result.stats.rms);
+  frame.switch_reason = switchOf(result.switch_reason);
+  frame.start_matches = result.initialization.matches;
+  frame.start_parallax_deg = f(result.initialization.parallax_deg);
+  frame.start_landmarks = result.initialization.landmarks;
   return frame;
 }
 
@@ -220,6 +256,22 @@ glide_location toC(const LocatedCamera& located, const AppWorld& world) {
   location.t_ns = located.t_ns;
   location.camera = toC(world.cameraToApp(fromPose(located.T_world_cam)));
   return location;
+}
+
+glide_intrinsics toC(const CameraIntrinsics& camera) {
+  glide_intrinsics result{};
+  result.width = camera.width;
+  result.height = camera.height;
+  result.fx = camera.fx;
+  result.fy = camera.fy;
+  result.cx = camera.cx;
+  result.cy = camera.cy;
+  result.distortion = static_cast<std::int32_t>(camera.distortion);  // the order is the same
+  const std::size_t count =
+      std::min(camera.coefficients.size(), std::size(glide_intrinsics{}.coefficients));
+  result.coefficient_count = static_cast<std::int32_t>(count);
+  std::copy_n(camera.coefficients.begin(), count, result.coefficients);
+  return result;
 }
 
 glide_keyframe toC(const MapView::Keyframe& keyframe, const AppWorld& world) {

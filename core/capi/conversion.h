@@ -22,6 +22,7 @@ bool isSound(const glide_pose& pose);
 /// `world` turns poses into the app's.
 glide_frame toC(const FrameResult& result, const AppWorld& world);
 glide_location toC(const LocatedCamera& located, const AppWorld& world);
+glide_intrinsics toC(const CameraIntrinsics& camera);
 glide_keyframe toC(const MapView::Keyframe& keyframe, const AppWorld& world);
 glide_point toC(const MapView::Landmark& landmark, const AppWorld& world);
 

@@ -102,6 +102,30 @@ glide_status glide_map_keyframes(const glide_map* map,
   });
 }
 
+glide_status glide_map_loops(const glide_map* map,
+                             size_t capacity,
+                             glide_loop* loops,
+                             size_t* count) {
+  return withMap(map, [&](const AppMap& app) {
+    const CountedOut<glide_loop> out{capacity, loops, count};
+    if (!out.isValid()) return wrong("loops or count is null");
+    const auto& all = app.view->loops;
+    return out.fill(all.size(), [&](std::size_t i) {
+      return glide_loop{all[i].newer, all[i].older};
+    });
+  });
+}
+
+glide_status glide_map_corrected_camera(const glide_map* map, glide_intrinsics* camera) {
+  return withMap(map, [&](const AppMap& app) {
+    if (camera == nullptr) return wrong("camera is null");
+    if (!app.view->corrected_camera)
+      return refuse(GLIDE_ERROR_NOT_YET_AVAILABLE, "the camera is as it was given");
+    *camera = toC(*app.view->corrected_camera);
+    return kDone;
+  });
+}
+
 glide_status glide_map_save(glide_session* session, const char* path) {
   return withSession(session, [&](AppSession& app) {
     if (path == nullptr) return wrong("path is null");

@@ -99,6 +99,13 @@ glide_status glide_session_reset(glide_session* session) {
   });
 }
 
+glide_status glide_session_wait_for_mapping(glide_session* session) {
+  return withSession(session, [](AppSession& app) {
+    app.waitForMapping();
+    return kDone;
+  });
+}
+
 glide_status glide_session_update(glide_session* session,
                                   const glide_image* image,
                                   glide_frame* frame) {

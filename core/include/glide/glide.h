@@ -71,6 +71,10 @@ GLIDE_C_API glide_status glide_session_locate(glide_session* session,
                                               int64_t t_ns,
                                               glide_location* location);
 
+/* Blocks until every keyframe so far is mapped and the loops that this closed are worked in: for
+ * files, where the next frame can wait. */
+GLIDE_C_API glide_status glide_session_wait_for_mapping(glide_session* session);
+
 /* World. Metres per present scene unit, relative to what is shown now: a distance that shows as 2
  * and is 1 m: 0.5. NOT_TRACKING before there is a map. Poses, points and anchors change at once. */
 GLIDE_C_API glide_status glide_session_set_metric_scale(glide_session* session,
@@ -124,6 +128,14 @@ GLIDE_C_API glide_status glide_map_keyframes(const glide_map* map,
                                              size_t capacity,
                                              glide_keyframe* keyframes,
                                              size_t* count);
+
+GLIDE_C_API glide_status glide_map_loops(const glide_map* map,
+                                         size_t capacity,
+                                         glide_loop* loops,
+                                         size_t* count);
+/* The camera as the map has corrected it; NOT_YET_AVAILABLE while it is as given. Poses are of this
+ * camera: draw with it. */
+GLIDE_C_API glide_status glide_map_corrected_camera(const glide_map* map, glide_intrinsics* camera);
 
 /* Map files (docs/map-format.md), by path (UTF-8) or by callbacks. Saving does not hold up update.
  * Loading takes the place of the present map, or changes nothing: DATA_INVALID_FORMAT,

@@ -132,6 +132,19 @@ enum {
   GLIDE_REASON_RELOCALIZING = 5           /* return to where the camera has been */
 };
 
+/* Why the direct tracker did not make the pose of a frame. */
+enum {
+  GLIDE_SWITCH_NONE = 0, /* it did */
+  GLIDE_SWITCH_NO_REFERENCE = 1,
+  GLIDE_SWITCH_SOLVE_FAILED = 2,
+  GLIDE_SWITCH_TOO_FEW_VISIBLE = 3,
+  GLIDE_SWITCH_PHOTOMETRIC_ERROR = 4,
+  GLIDE_SWITCH_BASELINE = 5,
+  GLIDE_SWITCH_ROTATION = 6,
+  GLIDE_SWITCH_MAX_DIRECT_FRAMES = 7,
+  GLIDE_SWITCH_DISABLED = 8
+};
+
 /* The answer to one frame. */
 typedef struct glide_frame {
   uint32_t struct_size;
@@ -149,6 +162,14 @@ typedef struct glide_frame {
   float correction_scale;
   int32_t visible, inliers; /* landmarks */
   float update_ms, pyramid_ms, precompute_ms, align_ms, features_ms, match_ms, pose_ms;
+  float mapping_ms;         /* of GLIDE_EXECUTION_INLINE, not part of update_ms */
+  float readback_ms;        /* bringing a texture's pixels to the CPU */
+  float rms;                /* direct: patch error, grey levels; indirect: reprojection error, px */
+  int32_t switch_reason;    /* GLIDE_SWITCH_* */
+  int32_t start_matches;    /* with the first view, while initializing */
+  float start_parallax_deg; /* median parallax of these */
+  int32_t start_landmarks;  /* that the best start would have */
+  int32_t reserved;
 } glide_frame;
 
 enum { GLIDE_LOCATION_VALID = 1, GLIDE_LOCATION_TRACKED = 2 };
@@ -173,6 +194,11 @@ typedef struct glide_keyframe {
   int32_t retired;   /* 1: culled; its pose stays defined */
   int32_t reserved;
 } glide_keyframe;
+
+/* A place that was recognised: two keyframes see the same landmarks. */
+typedef struct glide_loop {
+  uint64_t newer, older; /* ids of keyframes */
+} glide_loop;
 
 typedef struct glide_hit {
   glide_pose pose; /* at the hit; y axis (GL) or -y axis (CV) along the surface's normal */

@@ -64,6 +64,11 @@ TEST_F(CMap, OutlivesItsSession) {
   std::vector<glide_keyframe> all(keyframes);
   ASSERT_EQ(glide_map_keyframes(map, keyframes, all.data(), &keyframes), GLIDE_OK);
   EXPECT_LT(all[0].t_ns, all[1].t_ns);
+  std::size_t loops = 9;
+  EXPECT_EQ(glide_map_loops(map, 0, nullptr, &loops), GLIDE_OK);
+  EXPECT_EQ(loops, 0U);
+  glide_intrinsics camera{};
+  EXPECT_EQ(glide_map_corrected_camera(map, &camera), GLIDE_ERROR_NOT_YET_AVAILABLE);
   std::uint64_t revision = 0;
   EXPECT_EQ(glide_map_revision(map, &revision), GLIDE_OK);
   EXPECT_GT(revision, 0U);

@@ -49,6 +49,22 @@ TEST(CSession, SaysWhatAUserCanDoBeforeThereIsAMap) {
   EXPECT_EQ(frame.state, GLIDE_STATE_INITIALIZING);
   EXPECT_EQ(frame.reason, GLIDE_REASON_INSUFFICIENT_PARALLAX);
   EXPECT_EQ(frame.confidence, 0.0F);
+  EXPECT_GT(frame.start_matches, 60);
+}
+
+TEST(CSession, SaysWhoMadeThePoseAndWhyNotTheOther) {
+  CWalk walk(GLIDE_AXES_GL);
+  int directs = 0;
+  for (int i = 0; i < kFrames; ++i) {
+    const glide_frame frame = walk.walk(i + 1);
+    if (frame.tracker == GLIDE_TRACKER_NONE) continue;
+    const bool is_direct = frame.tracker == GLIDE_TRACKER_DIRECT;
+    EXPECT_EQ(frame.switch_reason == GLIDE_SWITCH_NONE, is_direct);
+    if (is_direct) EXPECT_GT(frame.rms, 0.0F);  // the start has no error of its own
+    directs += is_direct ? 1 : 0;
+  }
+  EXPECT_GT(directs, 5);
+  EXPECT_EQ(glide_session_wait_for_mapping(walk.session()), GLIDE_OK);
 }
 
 TEST(CSession, RefusesFramesWhilePausedAndGoesOnAfterwards) {
