@@ -21,6 +21,7 @@ constexpr std::size_t kNumbers[] = {
     offsetof(glide_config, axes),
     offsetof(glide_config, camera),
 
+    sizeof(glide_intrinsics),
     offsetof(glide_intrinsics, width),
     offsetof(glide_intrinsics, height),
     offsetof(glide_intrinsics, fx),
@@ -57,6 +58,11 @@ constexpr std::size_t kNumbers[] = {
     offsetof(glide_frame, visible),
     offsetof(glide_frame, inliers),
     offsetof(glide_frame, update_ms),
+    offsetof(glide_frame, rms),
+    offsetof(glide_frame, switch_reason),
+    offsetof(glide_frame, start_matches),
+    offsetof(glide_frame, start_parallax_deg),
+    offsetof(glide_frame, start_landmarks),
 
     sizeof(glide_location),
     offsetof(glide_location, flags),
@@ -70,6 +76,9 @@ constexpr std::size_t kNumbers[] = {
     offsetof(glide_keyframe, t_ns),
     offsetof(glide_keyframe, camera),
     offsetof(glide_keyframe, retired),
+
+    sizeof(glide_loop),
+    offsetof(glide_loop, older),
 
     sizeof(glide_hit),
     offsetof(glide_hit, distance),

@@ -47,6 +47,23 @@ jint JNICALL mapKeyframes(JNIEnv* env, jclass /*type*/, jlong map, jobject keyfr
   return countOf(count);
 }
 
+jint JNICALL mapLoops(JNIEnv* env, jclass /*type*/, jlong map, jobject loops) {
+  std::size_t count = 0;
+  guarded(env, [&] {
+    const auto out = structsOf<glide_loop>(env, loops);
+    return glide_map_loops(handleOf<glide_map>(map), out.capacity, out.data, &count);
+  });
+  return countOf(count);
+}
+
+void JNICALL mapCorrectedCamera(JNIEnv* env, jclass /*type*/, jlong map, jobject camera) {
+  guarded(env, [&]() -> glide_status {
+    auto* answer = structOf<glide_intrinsics>(env, camera);
+    if (answer == nullptr) return GLIDE_ERROR_INVALID_ARGUMENT;
+    return glide_map_corrected_camera(handleOf<glide_map>(map), answer);
+  });
+}
+
 using FileCall = glide_status (*)(glide_session*, const char*);
 
 /// saveMap and loadMap of a zero-ended UTF-8 path.
@@ -130,6 +147,8 @@ std::vector<JNINativeMethod> mapNatives() {
       native("mapRevision", "(J)J", mapRevision),
       native("mapPoints", "(JLjava/nio/ByteBuffer;)I", mapPoints),
       native("mapKeyframes", "(JLjava/nio/ByteBuffer;)I", mapKeyframes),
+      native("mapLoops", "(JLjava/nio/ByteBuffer;)I", mapLoops),
+      native("mapCorrectedCamera", "(JLjava/nio/ByteBuffer;)V", mapCorrectedCamera),
       native("saveMap", "(J[B)V", withPath<glide_map_save>),
       native("loadMap", "(J[B)V", withPath<glide_map_load>),
       native("saveMapBytes", "(J)[B", saveMapBytes),

@@ -140,6 +140,7 @@ std::vector<JNINativeMethod> sessionNatives() {
       native("pause", "(J)V", simple<glide_session_pause>),
       native("resume", "(J)V", simple<glide_session_resume>),
       native("reset", "(J)V", simple<glide_session_reset>),
+      native("waitForMapping", "(J)V", simple<glide_session_wait_for_mapping>),
       native("releaseGl", "(J)V", simple<glide_session_release_gl>),
       native("abandonGl", "(J)V", simple<glide_session_abandon_gl>),
       native(

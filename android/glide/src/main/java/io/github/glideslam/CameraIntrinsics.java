@@ -91,6 +91,21 @@ public final class CameraIntrinsics {
         (cy + 0.5) * s - 0.5, distortion, coefficients);
   }
 
+  /** Of a glide_intrinsics. */
+  static CameraIntrinsics read(ByteBuffer struct) {
+    double[] coefficients = new double[struct.getInt(Layout.CAMERA_COUNT)];
+    for (int i = 0; i < coefficients.length; ++i) {
+      coefficients[i] = struct.getDouble(Layout.CAMERA_COEFFICIENTS + Double.BYTES * i);
+    }
+    int f = Layout.CAMERA_FX;
+    return new CameraIntrinsics(
+        struct.getInt(Layout.CAMERA_WIDTH), struct.getInt(Layout.CAMERA_HEIGHT),
+        struct.getDouble(f), struct.getDouble(f + 8), struct.getDouble(f + 16),
+        struct.getDouble(f + 24),
+        Distortion.values()[struct.getInt(Layout.CAMERA_DISTORTION)], coefficients);
+  }
+
+  /** Into a glide_intrinsics of a struct. */
   void write(ByteBuffer struct, int at) {
     struct.putInt(at + Layout.CAMERA_WIDTH, width).putInt(at + Layout.CAMERA_HEIGHT, height);
     int f = at + Layout.CAMERA_FX;

@@ -14,6 +14,29 @@ public final class FrameStats {
     INDIRECT
   }
 
+  /** Why the direct tracker did not make the pose. */
+  public enum SwitchReason {
+    /** It did. */
+    NONE,
+    /** There is no keyframe to align to yet. */
+    NO_REFERENCE,
+    /** The alignment did not converge. */
+    SOLVE_FAILED,
+    /** Too few of the keyframe's points are in view. */
+    TOO_FEW_VISIBLE,
+    /** The images differ too much after alignment. */
+    PHOTOMETRIC_ERROR,
+    /** The camera is too far from the keyframe. */
+    BASELINE,
+    /** The camera has turned too far from the keyframe. */
+    ROTATION,
+    /** It had its turn: features are due now and then. */
+    MAX_DIRECT_FRAMES,
+    /** The config wants features only. */
+    DISABLED
+  }
+
+  private static final SwitchReason[] REASONS = SwitchReason.values();
   private static final Tracker[] TRACKERS = Tracker.values();
 
   private final ByteBuffer frame;
@@ -76,6 +99,42 @@ public final class FrameStats {
   /** Milliseconds for the pose from matches. */
   public float getPoseMillis() {
     return millis(6);
+  }
+
+  /** Milliseconds for mapping, with {@link Config#setDeterministic}; not part of update's. */
+  public float getMappingMillis() {
+    return millis(7);
+  }
+
+  /** Milliseconds for bringing a texture's pixels to the CPU. */
+  public float getReadbackMillis() {
+    return millis(8);
+  }
+
+  /** Error of the pose: grey levels of a patch (DIRECT), or pixels (INDIRECT). */
+  public float getRms() {
+    return frame.getFloat(Layout.FRAME_RMS);
+  }
+
+  /** Why the direct tracker did not make the pose; NONE when it did. */
+  public SwitchReason getSwitchReason() {
+    int reason = frame.getInt(Layout.FRAME_SWITCH_REASON);
+    return reason >= 0 && reason < REASONS.length ? REASONS[reason] : SwitchReason.DISABLED;
+  }
+
+  /** Features matched with the first view, while there is no map. */
+  public int getStartMatches() {
+    return frame.getInt(Layout.FRAME_START_MATCHES);
+  }
+
+  /** Median parallax of these, degrees. */
+  public float getStartParallaxDegrees() {
+    return frame.getFloat(Layout.FRAME_START_PARALLAX);
+  }
+
+  /** Landmarks that the best start would have, while there is no map. */
+  public int getStartLandmarks() {
+    return frame.getInt(Layout.FRAME_START_LANDMARKS);
   }
 
   /** The stages lie in a row. */

@@ -45,6 +45,27 @@ public final class MapSnapshot implements AutoCloseable {
     }
   }
 
+  /** A place that was recognised: two keyframes see the same landmarks; immutable. */
+  public static final class Loop {
+    private final long newerId;
+    private final long olderId;
+
+    private Loop(ByteBuffer structs, int at) {
+      newerId = structs.getLong(at);
+      olderId = structs.getLong(at + Layout.LOOP_OLDER);
+    }
+
+    /** Id of the keyframe that came back. */
+    public long getNewerId() {
+      return newerId;
+    }
+
+    /** Id of the keyframe that had been there. */
+    public long getOlderId() {
+      return olderId;
+    }
+  }
+
   private long handle;
 
   MapSnapshot(long handle) {
@@ -73,6 +94,30 @@ public final class MapSnapshot implements AutoCloseable {
       keyframes.add(new Keyframe(structs, i * Layout.KEYFRAME_SIZE));
     }
     return Collections.unmodifiableList(keyframes);
+  }
+
+  /** All places that were recognised. A copy: it may outlive this. */
+  public synchronized List<Loop> getLoops() {
+    int count = Native.mapLoops(handle, null);
+    ByteBuffer structs = Layout.array(count, Layout.LOOP_SIZE);
+    if (count > 0) {
+      Native.mapLoops(handle, structs);
+    }
+    List<Loop> loops = new ArrayList<>(count);
+    for (int i = 0; i < count; ++i) {
+      loops.add(new Loop(structs, i * Layout.LOOP_SIZE));
+    }
+    return Collections.unmodifiableList(loops);
+  }
+
+  /**
+   * The camera as the map has corrected it: poses are of this camera. NotYetAvailableException while
+   * it is as it was given.
+   */
+  public synchronized CameraIntrinsics getCorrectedCamera() {
+    ByteBuffer struct = Layout.array(1, Layout.CAMERA_SIZE);
+    Native.mapCorrectedCamera(handle, struct);
+    return CameraIntrinsics.read(struct);
   }
 
   /** Frees the native memory; more than once is fine. Everything else then throws. */

@@ -31,6 +31,8 @@ final class Native {
   static native void update(
       long session, ByteBuffer image, ByteBuffer pixels, Object hardwareBuffer, ByteBuffer frame);
 
+  static native void waitForMapping(long session);
+
   static native void releaseGl(long session);
 
   static native void abandonGl(long session);
@@ -72,6 +74,10 @@ final class Native {
   static native int mapPoints(long map, ByteBuffer points);
 
   static native int mapKeyframes(long map, ByteBuffer keyframes);
+
+  static native int mapLoops(long map, ByteBuffer loops);
+
+  static native void mapCorrectedCamera(long map, ByteBuffer camera);
 
   static native void saveMap(long session, byte[] path);
 

@@ -104,6 +104,14 @@ public final class Session implements AutoCloseable {
     Native.reset(handle());
   }
 
+  /**
+   * Blocks until every keyframe so far is mapped, and loops that this closed are worked in: for files,
+   * where the next frame can wait.
+   */
+  public void waitForMapping() {
+    Native.waitForMapping(handle());
+  }
+
   /** Frees all GL objects, while their context is current. The next update makes them anew. */
   public void releaseGl() {
     Native.releaseGl(handle());

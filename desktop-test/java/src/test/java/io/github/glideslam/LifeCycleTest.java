@@ -65,13 +65,22 @@ class LifeCycleTest {
       Frame frame = sequence.feed(session, 0, 1);
       assertEquals(FrameStats.Tracker.NONE, frame.getStats().getTracker());
       assertEquals(0, frame.getCamera().getConfidence());
-      sequence.feed(session, 1, ENOUGH);
+      sequence.feed(session, 1, 3);
+      assertTrue(frame.getStats().getStartMatches() > 0);
+      assertTrue(frame.getStats().getStartParallaxDegrees() > 0);
+      assertTrue(frame.getStats().getStartLandmarks() >= 0);
+      sequence.feed(session, 3, ENOUGH);
       FrameStats stats = frame.getStats();
       assertTrue(stats.getTracker() != FrameStats.Tracker.NONE);
       assertTrue(stats.getInliers() > 0 && stats.getInliers() <= stats.getVisibleLandmarks());
       float stages = stats.getPyramidMillis() + stats.getPrecomputeMillis() + stats.getAlignMillis()
           + stats.getFeaturesMillis() + stats.getMatchMillis() + stats.getPoseMillis();
       assertTrue(stages > 0 && stages <= stats.getUpdateMillis() + 0.01f);
+      assertTrue(stats.getMappingMillis() >= 0 && stats.getRms() > 0);
+      assertEquals(0, stats.getReadbackMillis());
+      assertEquals(
+          stats.getTracker() == FrameStats.Tracker.DIRECT,
+          stats.getSwitchReason() == FrameStats.SwitchReason.NONE);
       float confidence = frame.getCamera().getConfidence();
       assertTrue(confidence > 0 && confidence <= 1);
       assertTrue(frame.getMapRevision() > 0);

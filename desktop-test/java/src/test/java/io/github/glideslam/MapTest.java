@@ -42,6 +42,16 @@ class MapTest extends TrackedTest {
   }
 
   @Test
+  @DisplayName("a short walk closes no loop and corrects no camera")
+  void loops() {
+    session.waitForMapping();
+    try (MapSnapshot map = session.acquireMap()) {
+      assertTrue(map.getLoops().isEmpty());
+      assertThrows(NotYetAvailableException.class, map::getCorrectedCamera);
+    }
+  }
+
+  @Test
   @DisplayName("a closed snapshot refuses every question")
   void closedSnapshot() {
     MapSnapshot map = session.acquireMap();
@@ -50,6 +60,8 @@ class MapTest extends TrackedTest {
     assertThrows(SessionClosedException.class, map::getRevision);
     assertThrows(SessionClosedException.class, map::getPoints);
     assertThrows(SessionClosedException.class, map::getKeyframes);
+    assertThrows(SessionClosedException.class, map::getLoops);
+    assertThrows(SessionClosedException.class, map::getCorrectedCamera);
   }
 
   @Test

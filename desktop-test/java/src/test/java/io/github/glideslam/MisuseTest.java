@@ -30,8 +30,8 @@ class MisuseTest extends TrackedTest {
     session.close();
     Camera camera = frame.getCamera();
     List<Executable> calls = List.of(
-        () -> feedNext(), session::pause, session::resume, session::reset, session::releaseGl,
-        session::abandonGl, session::getBackend, session::acquireMap,
+        () -> feedNext(), session::pause, session::resume, session::reset, session::waitForMapping,
+        session::releaseGl, session::abandonGl, session::getBackend, session::acquireMap,
         () -> session.pushImu(1, 0, 0, 0, 0, 0, 0), () -> session.locate(1),
         () -> session.setMetricScale(1), () -> session.setGravityHint(0, -1, 0),
         () -> session.setDisplayGeometry(0, 1, 1), () -> session.createAnchor(Pose.IDENTITY),

@@ -60,6 +60,21 @@ class ValuesTest {
   }
 
   @Test
+  @DisplayName("intrinsics come back from a struct as they were")
+  void intrinsicsInStruct() {
+    CameraIntrinsics given = new CameraIntrinsics(
+        640, 480, 500, 510, 319.5, 239.5, Distortion.KANNALA_BRANDT4, 0.1, 0.2, 0.3, 0.4);
+    java.nio.ByteBuffer struct = Layout.array(1, Layout.CAMERA_SIZE);
+    given.write(struct, 0);
+    CameraIntrinsics read = CameraIntrinsics.read(struct);
+    assertArrayEquals(given.getImageDimensions(), read.getImageDimensions());
+    assertArrayEquals(given.getFocalLength(), read.getFocalLength());
+    assertArrayEquals(given.getPrincipalPoint(), read.getPrincipalPoint());
+    assertEquals(given.getDistortion(), read.getDistortion());
+    assertArrayEquals(given.getCoefficients(), read.getCoefficients());
+  }
+
+  @Test
   @DisplayName("intrinsics keep a copy of their coefficients, and refuse too many")
   void coefficients() {
     double[] given = {0.1, 0.2, 0, 0};
