@@ -12,12 +12,12 @@ mobile_libraries="$mobile/sysroot/usr/lib/aarch64-linux-gnu"
 mobile_packages=(libegl1 libgles2 libegl-mesa0 libgl1-mesa-dri libstdc++6 libdrm-dev zlib1g-dev libexpat1-dev)
 mobile_shims=(src/panfrost/drm-shim/libpanfrost_noop_drm_shim.so src/freedreno/drm-shim/libfreedreno_noop_drm_shim.so)
 
-# An apt of its own, for arm64 and for sources: the machine's package lists stay as they are.
+# mobile_apt_files FOLDER SUITE: an apt of its own, for arm64 and for sources. The machine's package lists stay as they are.
 mobile_apt_files() {
-  local apt="$mobile/apt" keys="signed-by=/usr/share/keyrings/debian-archive-keyring.gpg" type
+  local apt="$1" suite="$2" keys="signed-by=/usr/share/keyrings/debian-archive-keyring.gpg" type
   mkdir -p "$apt/state/lists/partial" "$apt/cache/archives/partial"
   : >"$apt/status"
-  for type in deb deb-src; do echo "$type [$keys] http://deb.debian.org/debian bookworm main"; done >"$apt/sources.list"
+  for type in deb deb-src; do echo "$type [$keys] http://deb.debian.org/debian $suite main"; done >"$apt/sources.list"
   cat >"$apt/apt.conf" <<TEXT
 Dir::State "$apt/state";
 Dir::State::status "$apt/status";
@@ -32,10 +32,11 @@ APT::Update::Error-Mode "any";
 TEXT
 }
 
-mobile_apt() { apt-get --config-file "$mobile/apt/apt.conf" "$@"; }
+mobile_apt_in() { apt-get --config-file "$1/apt.conf" "${@:2}"; }
+mobile_apt() { mobile_apt_in "$mobile/apt" "$@"; }
 
 mobile_download() {
-  mobile_apt_files && mobile_apt update &&
+  mobile_apt_files "$mobile/apt" bookworm && mobile_apt update &&
     mobile_apt install --download-only --yes "${mobile_packages[@]}" &&
     mkdir -p "$mobile/source" && (cd "$mobile/source" && mobile_apt source --download-only mesa)
 }

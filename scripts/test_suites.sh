@@ -44,6 +44,10 @@ suite() {
   fi
 }
 
+report_failed_suites() {
+  [ "${#failed_suites[@]}" -eq 0 ] || die "failed: $(printf '%s; ' "${failed_suites[@]}")"
+}
+
 # A short run of the fuzzer, the same one every time. map_mutations, among all tests, is what is left without libFuzzer.
 fuzz_suite() {
   local probe='extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'
@@ -92,6 +96,12 @@ run_test_suites() {
     driver_suite "${@:2}"
     return
   fi
+  if [ "${1:-}" = --arch ]; then
+    [ "${2:-}" = arm64 ] || die "--arch knows arm64 only"
+    arm64_suites || return
+    report_failed_suites
+    return
+  fi
   if [ "$quick" = no ] && [ $# -eq 0 ]; then
     suite "address and undefined behaviour sanitizers" sanitized asan "${asan_targets[@]}"
     suite "thread sanitizer" tsan_units
@@ -101,5 +111,5 @@ run_test_suites() {
     fetch_angle_for_tests
   fi
   suite "all tests" release_suite "$@"
-  [ "${#failed_suites[@]}" -eq 0 ] || die "failed: $(printf '%s; ' "${failed_suites[@]}")"
+  report_failed_suites
 }
