@@ -8,6 +8,7 @@ HOT = ("align_residual.comp",)
 PIXELS_PER_FETCH = {"align_residual.comp": 2, "align_coarse.comp": 2, YARDSTICK: 1 / 6}
 # Built as the paper says, to be compared with, not to be fast.
 COMPARISON = "paper_"
+USUAL_GROUP_SIZE = 64  # GpuTuning::group_size
 MAX_RATIO = 1.5  # cost of a pixel, hot kernel to yardstick
 # The GPUs that the checks are for, and what the driver calls the threads that run at a time.
 CHECKED = {"Mali-G52": "threads", "Mali-G52 r1": "threads", "Adreno 630": "waves"}
@@ -50,18 +51,21 @@ def check_spills(gpu, variants):
     ]
 
 
-def yardstick_threads(gpu, variants, group_size):
-    """Threads at a time of the yardstick, which takes few registers: the most that the compiler grants."""
-    name = f"{YARDSTICK} GROUP_SIZE={group_size}"
-    return max((v.numbers.get(CHECKED[gpu.name], 0) for v in variants if v.name == name), default=0)
+def threads_at_a_time(gpu, variant):
+    """In units of the driver. Workgroups of 128 run on an Adreno in waves of twice the lanes."""
+    word = CHECKED[gpu.name]
+    is_wide = word == "waves" and variant.defines["GROUP_SIZE"] >= 128
+    return variant.numbers.get(word, 0) * (2 if is_wide else 1)
 
 
 def check_threads(gpu, variants):
-    word, faults = CHECKED[gpu.name], []
+    """Against the yardstick, which takes few registers: it gets the most that the compiler grants."""
+    plain = [threads_at_a_time(gpu, v) for v in variants if v.name == f"{YARDSTICK} GROUP_SIZE={USUAL_GROUP_SIZE}"]
+    faults = []
     for variant in (v for v in variants if v.shader in HOT):
-        granted = variant.numbers.get(word, 0)
-        most = yardstick_threads(gpu, variants, variant.defines["GROUP_SIZE"])
+        granted, most = threads_at_a_time(gpu, variant), max(plain, default=0)
         if granted < most:
+            word = CHECKED[gpu.name]
             faults.append(f"{gpu.name}: {variant.name} runs {granted:.0f} {word} at a time, {most:.0f} are possible")
     return faults
 

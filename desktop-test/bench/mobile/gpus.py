@@ -4,7 +4,7 @@ import os
 import pathlib
 import subprocess
 
-LIMIT_S = 1200  # a compiler that hangs must not hang us
+LIMIT_S = 3600  # a compiler that hangs must not hang us
 
 
 @dataclasses.dataclass(frozen=True)

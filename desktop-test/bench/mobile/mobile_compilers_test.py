@@ -145,12 +145,17 @@ class ChecksTest(unittest.TestCase):
         self.assertEqual(checks.check(gpus.GPUS[0], variants, {}), [])
 
     def test_compares_threads_with_the_yardstick(self):
-        hot = "align_residual.comp GROUP_SIZE=128"
-        plain = (variant_with("plain.comp GROUP_SIZE=64", threads=4), variant_with("plain.comp GROUP_SIZE=128", threads=2))
-        variants = [variant_with(hot, threads=1), *plain]
-        self.assertEqual(len(checks.check_threads(MALI, variants)), 1)
-        variants[0].numbers["threads"] = 2
-        self.assertEqual(checks.check_threads(MALI, variants), [])
+        plain = variant_with("plain.comp GROUP_SIZE=64", threads=2)
+        hot = variant_with("align_residual.comp GROUP_SIZE=128", threads=1)
+        self.assertEqual(len(checks.check_threads(MALI, [hot, plain])), 1)
+        hot.numbers["threads"] = 2
+        self.assertEqual(checks.check_threads(MALI, [hot, plain]), [])
+
+    def test_counts_waves_of_large_workgroups_twice(self):
+        plain = variant_with("plain.comp GROUP_SIZE=64", waves=16)
+        for group_size, waves, faults in ((64, 15, 1), (64, 16, 0), (128, 7, 1), (128, 8, 0)):
+            hot = variant_with(f"align_residual.comp GROUP_SIZE={group_size}", waves=waves)
+            self.assertEqual(len(checks.check_threads(ADRENO, [hot, plain])), faults)
 
     def test_compares_the_inner_loop_with_the_yardstick(self):
         costs = {"align_residual.comp": {"instructions": 151.0}, "plain.comp GROUP_SIZE=32": {"instructions": 100.0}}
@@ -175,6 +180,10 @@ class ReportTest(unittest.TestCase):
         numbers = ({"inst": 10, "cycles": 2.5, "threads": 2}, {"inst": 30, "cycles": 1, "threads": 1, "spills": 4})
         text = report.cell(MALI, [variant_with("a.comp", **n) for n in numbers])
         self.assertEqual(text, "30 / 2.5 / 1 / **4 spills**")
+
+    def test_shows_the_dearest_pixel_of_a_shader(self):
+        costs = {"a.comp X=1": {"instructions": 3.0, "pixels": 2}, "a.comp X=2": {"instructions": 5.0}, "b.comp": {"error": ""}}
+        self.assertEqual(report.worst_costs(costs), {"a.comp": {"instructions": 5.0}, "b.comp": {}})
 
     def test_replaces_what_is_between_the_markers(self):
         page = f"head\n{report.BEGIN}\nold\n{report.END}\ntail\n"

@@ -43,18 +43,29 @@ def shader_table(results, compilers):
     return lines
 
 
+UNITS = ("instructions", "tuples", "cycles")
+
+
+def worst_costs(costs):
+    """Per shader and unit the most that a pixel costs in any of its variants."""
+    worst = {}
+    for name, cost in costs.items():
+        of_shader = worst.setdefault(name.split(" ")[0], {})
+        for unit in UNITS:
+            if unit in cost:
+                of_shader[unit] = max(cost[unit], of_shader.get(unit, 0))
+    return worst
+
+
 def loop_table(results):
     """Cost of a pixel in the inner loop, and how many times the yardstick's."""
-    lines = [row("inner loop, per pixel", "GPU", "instructions", "tuples", "cycles", "x yardstick"), "|" + "---|" * 6]
+    lines = [row("inner loop, per pixel", "GPU", *UNITS, "x yardstick"), "|" + "---|" * 6]
     for result in results:
         plain = checks.yardstick_cost(result.costs)
-        for name, cost in result.costs.items():
-            if "error" in cost:
-                continue
-            units = [unit for unit in ("instructions", "tuples", "cycles") if unit in cost]
-            ratio = max((cost[unit] / plain[unit] for unit in units if unit in plain), default=0)
-            values = [f"{cost[unit]:.2f}" if unit in cost else "" for unit in ("instructions", "tuples", "cycles")]
-            lines.append(row(name, result.gpu.name, *values, f"{ratio:.2f}"))
+        for shader, cost in worst_costs(result.costs).items():
+            ratio = max((cost[unit] / plain[unit] for unit in cost if unit in plain), default=0)
+            values = [f"{cost[unit]:.1f}" if unit in cost else "" for unit in UNITS]
+            lines.append(row(shader, result.gpu.name, *values, f"{ratio:.2f}"))
     return lines
 
 
