@@ -60,8 +60,9 @@ TEST(CSession, SaysWhoMadeThePoseAndWhyNotTheOther) {
     if (frame.tracker == GLIDE_TRACKER_NONE) continue;
     const bool is_direct = frame.tracker == GLIDE_TRACKER_DIRECT;
     EXPECT_EQ(frame.switch_reason == GLIDE_SWITCH_NONE, is_direct);
-    if (is_direct) EXPECT_GT(frame.rms, 0.0F);  // the start has no error of its own
-    directs += is_direct ? 1 : 0;
+    if (!is_direct) continue;  // the start has no error of its own
+    EXPECT_GT(frame.rms, 0.0F);
+    ++directs;
   }
   EXPECT_GT(directs, 5);
   EXPECT_EQ(glide_session_wait_for_mapping(walk.session()), GLIDE_OK);
