@@ -14,12 +14,13 @@ void AppWorld::reset() {
 }
 
 SE3d AppWorld::cameraToApp(const SE3d& T_world_cam) const {
-  return {(R_app_world_ * T_world_cam.q * appFromCv(axes_)).normalized(),
+  // The inverse of the half turn on the right: the first camera's quaternion is then 1, not -1.
+  return {(R_app_world_ * T_world_cam.q * appFromCv(axes_).conjugate()).normalized(),
           pointToApp(T_world_cam.t)};
 }
 
 SE3d AppWorld::cameraFromApp(const SE3d& T_app_cam) const {
-  return {(R_app_world_.conjugate() * T_app_cam.q * appFromCv(axes_).conjugate()).normalized(),
+  return {(R_app_world_.conjugate() * T_app_cam.q * appFromCv(axes_)).normalized(),
           (R_app_world_.conjugate() * T_app_cam.t) / scale_};
 }
 

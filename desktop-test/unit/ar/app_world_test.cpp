@@ -18,6 +18,7 @@ double difference(const SE3d& a, const SE3d& b) { return (a.inverse() * b).log()
 TEST(AppWorld, ShowsTheFirstCameraUprightAndLookingAlongMinusZ) {
   const AppWorld world(AppAxes::gl);
   EXPECT_LT(difference(world.cameraToApp(SE3d{}), SE3d{}), kTolerance);
+  EXPECT_NEAR(world.cameraToApp(SE3d{}).q.w(), 1.0, kTolerance);
   // A point in front of, right of and below the camera.
   EXPECT_TRUE(world.pointToApp({1.0, 2.0, 3.0}).isApprox(Vec3d(1.0, -2.0, -3.0)));
 }
