@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <vector>
 
@@ -100,6 +101,8 @@ jbyteArray JNICALL saveMapBytes(JNIEnv* env, jclass /*type*/, jlong session) {
     io.user = &bytes;
     const glide_status status = glide_map_save_io(handleOf<glide_session>(session), &io);
     if (status < 0) return status;
+    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<jsize>::max()))
+      return GLIDE_ERROR_RESOURCE_EXHAUSTED;  // more than a Java array holds
     result = env->NewByteArray(static_cast<jsize>(bytes.size()));
     if (result == nullptr) return GLIDE_ERROR_FATAL;  // an OutOfMemoryError is pending
     env->SetByteArrayRegion(result, 0, static_cast<jsize>(bytes.size()), bytes.data());

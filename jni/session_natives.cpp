@@ -39,7 +39,7 @@ glide_status createSession(JNIEnv* env, glide_config config, jbyteArray given, j
   std::vector<const char*> settings = splitTexts(texts);
   settings.pop_back();  // that zero alone is no text
   config.setting_count = static_cast<uint32_t>(settings.size());
-  config.settings = settings.data();
+  config.settings = settings.empty() ? nullptr : settings.data();
   glide_session* session = nullptr;
   const glide_status status = glide_session_create(&config, &session);
   *out = numberOf(session);

@@ -18,10 +18,20 @@ aar_classes() {
   jar="$(find "$root/build/cache/m2" -name 'android-all-*.jar' -print -quit 2>/dev/null)"
   if [ -n "$jar" ] && [ -d "$sources/android" ]; then
     javac --release 8 -Xlint:-options -cp "$out/classes:$jar" -d "$out/classes" "$sources"/android/*.java || return
+  elif [ -n "${ANDROID_NDK_HOME:-}" ]; then
+    die "no android-all jar in build/cache/m2 to compile io.github.glideslam.android against (./glide test fetches it)"
   else
     say "without io.github.glideslam.android: no android-all jar in build/cache/m2 (./glide test fetches it)"
   fi
   jar --create --file "$out/classes.jar" --date 1980-01-01T00:00:02Z -C "$out/classes" .
+}
+
+# 28 of NDK 28.2.13676358; 0 without an NDK.
+aar_ndk_major() {
+  local major=""
+  [ -z "${ANDROID_NDK_HOME:-}" ] ||
+    major="$(sed -n 's/^Pkg.Revision *= *\([0-9]*\)\..*/\1/p' "$ANDROID_NDK_HOME/source.properties")"
+  echo "${major:-0}"
 }
 
 # aar_libraries OUT: ABI=FILE for each native library, stripped.
@@ -71,11 +81,12 @@ make_aar() {
   setup build test || return
   rm -rf "$out" && mkdir -p "$out"
   aar_classes "$out/java" || return
-  while read -r library; do libraries+=(--library "$library"); done < <(aar_libraries "$out")
+  aar_libraries "$out" >"$out/libraries" || return
+  while read -r library; do libraries+=(--library "$library"); done <"$out/libraries"
   [ "${#libraries[@]}" -gt 0 ] || die "there is no native library"
   python3 "$root/scripts/aar/package.py" --classes "$out/java/classes.jar" "${libraries[@]}" \
     --headers "$root/core/include" --android-project "$root/android/glide" --version "$(aar_version)" \
-    --min-sdk "$aar_min_sdk" --output "$out/glide-slam.aar" || return
+    --min-sdk "$aar_min_sdk" --ndk-major "$(aar_ndk_major)" --output "$out/glide-slam.aar" || return
   aar_dex "$out/java" || return
   python3 "$root/scripts/aar/check.py" "$out/glide-slam.aar"
 }

@@ -53,7 +53,11 @@ std::optional<Anchors::State> Anchors::state(std::uint64_t id) const {
 void Anchors::follow(const MapView& map) {
   for (auto& [id, anchor] : anchors_) {
     const MapView::Keyframe* keyframe = findKeyframe(map, anchor.keyframe);
-    if (!anchor.state.is_tracked || keyframe == nullptr) continue;
+    if (!anchor.state.is_tracked) continue;
+    if (keyframe == nullptr) {  // culled keyframes stay in the view: this one's map is gone
+      anchor.state.is_tracked = false;
+      continue;
+    }
     SE3d T_key_anchor = anchor.T_key_anchor;
     T_key_anchor.t *= keyframe->scale / anchor.key_scale;
     const SE3d T_world_anchor = fromPose(keyframe->T_world_cam) * T_key_anchor;

@@ -70,9 +70,16 @@ glide_status AppSession::projectionMatrix(const ClipPlanes& planes, float* matri
   return kDone;
 }
 
+CameraModel AppSession::mapCamera() {
+  const std::optional<CameraIntrinsics>& corrected = currentMap().corrected_camera;
+  if (!corrected) return camera_;
+  const Result<CameraModel> camera = CameraModel::create(*corrected);
+  return camera ? *camera : camera_;
+}
+
 std::vector<VisiblePoint> AppSession::visible() {
   if (!isTracking()) return {};
-  return visiblePoints(currentMap(), camera_, T_world_cam().inverse());
+  return visiblePoints(currentMap(), mapCamera(), T_world_cam().inverse());
 }
 
 std::vector<glide_point> AppSession::pointCloud() {
@@ -86,7 +93,7 @@ std::vector<glide_point> AppSession::pointCloud() {
 std::vector<glide_hit> AppSession::hitTest(const Vec2d& uv) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<glide_hit> hits;
-  for (const SurfaceHit& hit : glide::hitTest(visible(), camera_, uv)) {
+  for (const SurfaceHit& hit : glide::hitTest(visible(), mapCamera(), uv)) {
     // The hit's own axes are a camera's: its up becomes the app's up.
     const SE3d T_app_hit = world_.cameraToApp(T_world_cam() * hit.T_cam_hit);
     hits.push_back({toC(T_app_hit), static_cast<float>(world_.scale() * hit.distance), hit.points});
@@ -96,6 +103,8 @@ std::vector<glide_hit> AppSession::hitTest(const Vec2d& uv) {
 
 glide_status AppSession::createAnchor(const glide_pose& pose, std::uint64_t* id) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (last_.state == TrackingState::initializing)
+    return refuse(GLIDE_ERROR_NOT_TRACKING, "there is no map to hang an anchor on");
   const std::optional<std::uint64_t> made =
       anchors_.create(world_.objectFromApp(fromC(pose)), currentMap());
   if (!made) return refuse(GLIDE_ERROR_NOT_TRACKING, "there is no map to hang an anchor on");

@@ -56,11 +56,14 @@ glide_status AppSession::update(const glide_image& image, glide_frame* frame) {
   const Result<FrameInput> input = toFrameInput(image);
   if (!input) return refuse(input.error());
   const Result<FrameResult> result = session_.update(*input);
+  // A refused frame may have made GL objects, too; without a context there are none.
+  const bool has_context = result || result.error().code != ErrorCode::missing_context;
+  if (has_context && session_.backend().backend == Backend::gles)
+    gl_thread_ = std::this_thread::get_id();
   if (!result) {
     log(GLIDE_LOG_ERROR, result.error().message);
     return refuse(result.error());
   }
-  if (session_.backend().backend == Backend::gles) gl_thread_ = std::this_thread::get_id();
   onFrame(*result);
   writeSized(toC(*result, world_), frame);
   return kDone;
@@ -68,7 +71,9 @@ glide_status AppSession::update(const glide_image& image, glide_frame* frame) {
 
 void AppSession::onFrame(const FrameResult& result) {
   const bool had_map = last_.state == TrackingState::tracking || last_.state == TrackingState::lost;
-  if (had_map && result.state == TrackingState::initializing) forgetMap();
+  // After the start the mapper takes a few frames to publish its map: that is none lost.
+  const bool is_pending = result.initialization.status == InitializationStatus::done;
+  if (had_map && result.state == TrackingState::initializing && !is_pending) forgetMap();
   if (result.state != last_.state) {
     log(GLIDE_LOG_INFO,
         result.state == TrackingState::tracking ? "tracking"
@@ -77,6 +82,11 @@ void AppSession::onFrame(const FrameResult& result) {
   }
   if (result.correction) log(GLIDE_LOG_INFO, "the map was corrected");
   last_ = result;
+}
+
+void AppSession::replaceMap() {
+  last_ = FrameResult{};
+  forgetMap();
 }
 
 void AppSession::forgetMap() {
@@ -116,8 +126,7 @@ void AppSession::resume() {
 void AppSession::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
-  last_ = FrameResult{};
-  forgetMap();
+  replaceMap();
 }
 
 void AppSession::waitForMapping() {
@@ -132,13 +141,16 @@ BackendInfo AppSession::backend() const {
 
 glide_status AppSession::pushImu(const glide_imu_sample* samples, std::size_t count) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  std::int64_t last_ns = imu_.empty() ? INT64_MIN : imu_.back().t_ns;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!imu_.empty() && samples[i].t_ns <= imu_.back().t_ns)
+    if (samples[i].t_ns <= last_ns)
       return refuse(GLIDE_ERROR_TIMESTAMP_ORDER,
                     "IMU sample " + std::to_string(i) + " is not newer than the one before");
-    imu_.push_back(samples[i]);
-    if (imu_.size() > kMostImuSamples) imu_.pop_front();
+    last_ns = samples[i].t_ns;
   }
+  imu_.insert(imu_.end(), samples, samples + count);
+  if (imu_.size() > kMostImuSamples)
+    imu_.erase(imu_.begin(), imu_.end() - static_cast<std::ptrdiff_t>(kMostImuSamples));
   return kDone;
 }
 
@@ -161,14 +173,14 @@ Status AppSession::saveMap(const char* path) const { return session_.saveMap(pat
 Status AppSession::loadMap(const char* path) {
   const std::lock_guard<std::mutex> lock(mutex_);
   Status loaded = session_.loadMap(path);
-  if (loaded) forgetMap();
+  if (loaded) replaceMap();
   return loaded;
 }
 
 Status AppSession::loadMap(std::span<const std::byte> bytes) {
   const std::lock_guard<std::mutex> lock(mutex_);
   Status loaded = session_.loadMap(bytes);
-  if (loaded) forgetMap();
+  if (loaded) replaceMap();
   return loaded;
 }
 

@@ -68,10 +68,14 @@ class AppSession {
 
   void log(std::int32_t level, std::string_view message) const;
   void onFrame(const FrameResult& result);
+  /// Another map, or none, takes the place of the present one.
+  void replaceMap();
   void forgetMap();
   /// Needs the lock, as all below.
   bool isTracking() const;
   const MapView& currentMap();
+  /// The one that the map's poses are of.
+  CameraModel mapCamera();
   std::vector<VisiblePoint> visible();
   SE3d T_world_cam() const { return fromPose(last_.T_world_cam); }
 

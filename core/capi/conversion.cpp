@@ -57,6 +57,8 @@ Result<CameraIntrinsics> toIntrinsics(const glide_intrinsics& camera) {
 Status applySettings(const glide_config& given, Config* config) {
   if (given.settings == nullptr && given.setting_count > 0)
     return invalid("settings is null, but setting_count is not zero");
+  if (given.settings != nullptr && given.setting_count == 0)
+    return invalid("settings is given, but setting_count is zero");
   for (std::uint32_t i = 0; i < given.setting_count; ++i) {
     if (given.settings[i] == nullptr) return invalid("settings[" + std::to_string(i) + "] is null");
     Status applied = applySetting(*config, given.settings[i]);

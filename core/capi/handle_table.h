@@ -12,6 +12,9 @@ namespace glide {
 template <class T, class Handle>
 class HandleTable {
  public:
+  /// Handles of tables with another `first` (below 16) are never taken for this one's.
+  explicit HandleTable(std::uintptr_t first) : next_(kStep + first) {}
+
   Handle* add(std::shared_ptr<T> object) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::uintptr_t number = next_;
@@ -40,7 +43,7 @@ class HandleTable {
 
   mutable std::mutex mutex_;
   std::unordered_map<std::uintptr_t, std::shared_ptr<T>> objects_;
-  std::uintptr_t next_ = kStep;
+  std::uintptr_t next_;
 };
 
 }  // namespace glide

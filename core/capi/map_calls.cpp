@@ -12,7 +12,7 @@
 namespace glide {
 
 MapTable& mapTable() {
-  static MapTable table;
+  static MapTable table(8);
   return table;
 }
 

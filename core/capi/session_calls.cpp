@@ -12,7 +12,7 @@
 namespace glide {
 
 SessionTable& sessionTable() {
-  static SessionTable table;
+  static SessionTable table(0);
   return table;
 }
 

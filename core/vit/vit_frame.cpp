@@ -23,8 +23,10 @@ bool isReadable(const vit_img_sample& sample) {
       sample.format == VIT_IMAGE_FORMAT_L8 || sample.format == VIT_IMAGE_FORMAT_R8G8B8;
   const bool has_size = sample.width > 0 && sample.height > 0 && sample.width <= kLargestSide &&
                         sample.height <= kLargestSide;
-  return is_known && has_size && sample.data != nullptr &&
-         sample.stride >= sample.width * bytesPerPixel(sample.format);
+  if (!is_known || !has_size || sample.data == nullptr) return false;
+  const std::uint64_t row = std::uint64_t{sample.width} * bytesPerPixel(sample.format);
+  const std::uint64_t needed = std::uint64_t{sample.stride} * (sample.height - 1) + row;
+  return sample.stride >= row && sample.size >= needed;
 }
 
 void convertRow(const vit_img_sample& sample, const std::uint8_t* from, std::uint8_t* to) {

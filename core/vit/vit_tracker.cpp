@@ -6,6 +6,7 @@
 #include "glide/config_text.h"
 
 #include <chrono>
+#include <exception>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -82,6 +83,8 @@ glide::Result<std::unique_ptr<vit_tracker>> vit_tracker::create(const vit_config
   if (config.file == nullptr || *config.file == '\0') return tracker;
   const glide::Status read = readSettings(config.file, &tracker->config_);
   if (!read) return read.error();
+  if (tracker->config_.backend != glide::Backend::cpu)
+    return glide::Error{glide::ErrorCode::unsupported, "a runtime gives no GL context"};
   return tracker;
 }
 
@@ -101,6 +104,7 @@ vit_result vit_tracker::addCamera(const vit_camera_calibration& calibration) {
 vit_result vit_tracker::start() {
   if (isRunning()) return VIT_SUCCESS;
   if (!glide::validate(config_).ok()) return VIT_ERROR_INVALID_VALUE;
+  last_pose_.reset();
   auto frames = std::make_shared<FrameQueue>(kWaitingImages);
   worker_ = std::make_unique<glide::Worker>("glide-vit", [this, frames] { run(frames.get()); });
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -126,6 +130,8 @@ std::shared_ptr<vit_tracker::FrameQueue> vit_tracker::frames() const {
 
 vit_result vit_tracker::reset() {
   reset_asked_.store(true);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  poses_.clear();  // of the map that goes
   return VIT_SUCCESS;
 }
 
@@ -156,11 +162,15 @@ void vit_tracker::run(FrameQueue* frames) {
   glide::Result<glide::Session> session = glide::Session::create(config_);
   if (!session) return;  // start() has validated the config: the machine is out of memory
   while (const std::optional<VitFrame> frame = frames->pop()) {
-    if (reset_asked_.exchange(false)) {
-      session->reset();
-      last_pose_.reset();
+    try {
+      if (reset_asked_.exchange(false)) {
+        session->reset();
+        last_pose_.reset();
+      }
+      track(*frame, &*session);
+    } catch (const std::exception&) {
+      last_pose_.reset();  // out of memory: this frame has no pose, the next one may
     }
-    track(*frame, &*session);
     frames->done();
   }
 }

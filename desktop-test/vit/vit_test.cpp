@@ -187,6 +187,15 @@ TEST_F(VitTest, RefusesWhatIsOutOfOrderOrOfAnotherSize) {
   EXPECT_EQ(push(image, 1000), VIT_SUCCESS);
   EXPECT_EQ(push(image, 1000), VIT_ERROR_INVALID_VALUE);
   EXPECT_EQ(push(ImageU8(64, 64), 2000), VIT_ERROR_INVALID_VALUE);
+  std::vector<std::uint8_t> pixels(static_cast<std::size_t>(image.width() * image.height()));
+  vit_img_sample cut{};
+  cut.timestamp = 3000;
+  cut.data = pixels.data();
+  cut.width = cut.stride = static_cast<std::uint32_t>(image.width());
+  cut.height = static_cast<std::uint32_t>(image.height());
+  cut.size = static_cast<std::uint32_t>(pixels.size() - 1);
+  cut.format = VIT_IMAGE_FORMAT_L8;
+  EXPECT_EQ(VIT(vit_tracker_push_img_sample)(tracker_, &cut), VIT_ERROR_INVALID_VALUE);
   vit_imu_sample sample{5, 0, 0, 9.8F, 0, 0, 0};
   EXPECT_EQ(VIT(vit_tracker_push_imu_sample)(tracker_, &sample), VIT_SUCCESS);
   EXPECT_EQ(VIT(vit_tracker_push_imu_sample)(tracker_, &sample), VIT_ERROR_INVALID_VALUE);
@@ -207,6 +216,15 @@ TEST_F(VitTest, StopsResetsAndStartsAgain) {
     EXPECT_FALSE(running);
     EXPECT_EQ(pop(), nullptr);
   }
+}
+
+TEST_F(VitTest, RefusesSettingsThatItCannotFollow) {
+  std::ofstream(settings_) << "backend=gles\n";
+  const std::string path = settings_.string();
+  const vit_config config{path.c_str(), 1, 0, false};
+  vit_tracker* other = nullptr;
+  EXPECT_EQ(VIT(vit_tracker_create)(&config, &other), VIT_ERROR_INVALID_VALUE);
+  EXPECT_EQ(other, nullptr);
 }
 
 TEST_F(VitTest, NeedsACameraAndRefusesLensesThatItLacks) {

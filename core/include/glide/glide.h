@@ -47,7 +47,7 @@ GLIDE_C_API glide_status glide_session_create(const glide_config* config, glide_
 GLIDE_C_API void glide_session_destroy(glide_session* session);
 GLIDE_C_API glide_status glide_session_pause(glide_session* session);
 GLIDE_C_API glide_status glide_session_resume(glide_session* session);
-/* Drops the map, the anchors and the gravity; keeps the metric scale's setting off. */
+/* Drops the map: anchors stay but are no longer tracked, scale and gravity are arbitrary again. */
 GLIDE_C_API glide_status glide_session_reset(glide_session* session);
 
 /* Tracks one frame. SESSION_PAUSED while paused; TIMESTAMP_ORDER when t_ns does not increase. Being
@@ -76,7 +76,8 @@ GLIDE_C_API glide_status glide_session_locate(glide_session* session,
 GLIDE_C_API glide_status glide_session_wait_for_mapping(glide_session* session);
 
 /* World. Metres per present scene unit, relative to what is shown now: a distance that shows as 2
- * and is 1 m: 0.5. NOT_TRACKING before there is a map. Poses, points and anchors change at once. */
+ * and is 1 m: 0.5. NOT_TRACKING unless the last frame was tracked. Poses, points and anchors change
+ * at once. */
 GLIDE_C_API glide_status glide_session_set_metric_scale(glide_session* session,
                                                         float metres_per_unit);
 /* Direction of gravity (down) in the camera's axes at the last frame: the world's y axis (GL) then

@@ -62,6 +62,15 @@ TEST(Anchors, StayButAreNotTrackedWhenTheirMapIsGone) {
   EXPECT_TRUE(anchors.state(id)->T_world_anchor.t.isApprox(Vec3d(9.0, 1.0, 2.0)));
 }
 
+TEST(Anchors, AreNotTrackedOnceTheirKeyframeIsNoPartOfTheMap) {
+  Anchors anchors;
+  const std::uint64_t id = anchors.create(at(9.0, 1.0, 2.0), twoKeyframes()).value();
+  MapView other;
+  other.keyframes = {keyframeAt(3, 0.0)};
+  anchors.follow(other);
+  EXPECT_FALSE(anchors.state(id)->is_tracked);
+}
+
 TEST(Anchors, NeedAMapAndAreGoneOnceDestroyed) {
   Anchors anchors;
   EXPECT_FALSE(anchors.create(SE3d{}, MapView{}).has_value());

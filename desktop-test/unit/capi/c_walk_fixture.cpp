@@ -8,10 +8,12 @@ constexpr std::int64_t kFrame_ns = 33'333'333;
 constexpr double kStep_m = 0.01;
 }  // namespace
 
-CWalk::CWalk(std::int32_t axes) : config_(sized<glide_config>()) {
+CWalk::CWalk(std::int32_t axes) : CWalk(axes, GLIDE_EXECUTION_INLINE) {}
+
+CWalk::CWalk(std::int32_t axes, std::int32_t execution) : config_(sized<glide_config>()) {
   const CameraIntrinsics camera = sequence_.config().camera;
   config_.backend = GLIDE_BACKEND_CPU;
-  config_.execution = GLIDE_EXECUTION_INLINE;
+  config_.execution = execution;
   config_.axes = axes;
   config_.setting_count = static_cast<std::uint32_t>(settings_.size());
   config_.settings = settings_.data();

@@ -15,6 +15,8 @@ class CWalk {
  public:
   /// Axes are GLIDE_AXES_*.
   explicit CWalk(std::int32_t axes);
+  /// The same with GLIDE_EXECUTION_*.
+  CWalk(std::int32_t axes, std::int32_t execution);
   ~CWalk();
   CWalk(const CWalk&) = delete;
   CWalk& operator=(const CWalk&) = delete;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -104,6 +105,36 @@ TEST_F(CScene, KeepsAnchorsByTheirIds) {
   EXPECT_EQ(glide_anchor_get(walk_.session(), id, &anchor), GLIDE_ERROR_INVALID_ARGUMENT);
   pose.q[3] = 5.0;
   EXPECT_EQ(glide_anchor_create(walk_.session(), &pose, &id), GLIDE_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(CSceneOfThreads, KeepsTheScaleThatWasSetOnTheFirstTrackedFrame) {
+  CWalk walk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
+  int frames = 1;
+  while (walk.walk(frames).state != GLIDE_STATE_TRACKING && frames < 60) ++frames;
+  ASSERT_EQ(glide_session_set_metric_scale(walk.session(), 3.0F), GLIDE_OK) << glide_last_error();
+  walk.walk(++frames);  // the mapper has not published the map: the frame has no pose
+  ASSERT_EQ(glide_session_wait_for_mapping(walk.session()), GLIDE_OK);
+  ASSERT_EQ(walk.walk(++frames).state, GLIDE_STATE_TRACKING);
+  std::vector<glide_point> points(2000);
+  std::size_t count = 0;
+  ASSERT_EQ(glide_session_point_cloud(walk.session(), points.size(), points.data(), &count),
+            GLIDE_OK);
+  ASSERT_GT(count, 40U);
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < count; ++i) depths.push_back(-points[i].z);
+  std::nth_element(depths.begin(), depths.begin() + depths.size() / 2, depths.end());
+  EXPECT_NEAR(depths[depths.size() / 2], 3.0F, 0.6F);  // a start has a median depth of one
+}
+
+TEST_F(CScene, HasNothingToShowRightAfterAReset) {
+  ASSERT_EQ(glide_session_reset(walk_.session()), GLIDE_OK);
+  glide_pose pose{};
+  pose.q[3] = 1.0;
+  std::uint64_t id = 0;
+  EXPECT_EQ(glide_anchor_create(walk_.session(), &pose, &id), GLIDE_ERROR_NOT_TRACKING);
+  std::size_t count = 9;
+  EXPECT_EQ(glide_session_point_cloud(walk_.session(), 0, nullptr, &count), GLIDE_OK);
+  EXPECT_EQ(count, 0U);
 }
 
 TEST(CSceneWithoutMap, HasNothingToHangOn) {

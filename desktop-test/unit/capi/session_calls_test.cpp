@@ -95,6 +95,9 @@ TEST(CSession, NamesWhatIsWrongWithAConfig) {
   config.settings = &setting;
   EXPECT_EQ(glide_session_create(&config, &session), GLIDE_ERROR_INVALID_ARGUMENT);
   EXPECT_THAT(glide_last_error(), HasSubstr("did you mean direct.patch_size?"));
+  config.setting_count = 0;
+  EXPECT_EQ(glide_session_create(&config, &session), GLIDE_ERROR_INVALID_ARGUMENT);
+  EXPECT_THAT(glide_last_error(), HasSubstr("setting_count"));
   EXPECT_EQ(session, nullptr);
 }
 
@@ -110,6 +113,9 @@ TEST(CSession, SurvivesNullAndStaleHandles) {
     EXPECT_EQ(glide_session_create(&walk.config(), nullptr), GLIDE_ERROR_INVALID_ARGUMENT);
   }
   EXPECT_EQ(glide_session_reset(session), GLIDE_ERROR_SESSION_CLOSED);
+  std::uint64_t revision = 0;
+  EXPECT_EQ(glide_map_revision(reinterpret_cast<glide_map*>(session), &revision),
+            GLIDE_ERROR_SESSION_CLOSED);
   glide_session_destroy(session);
   glide_session_destroy(nullptr);
   EXPECT_EQ(glide_session_pause(session), GLIDE_ERROR_SESSION_CLOSED);
@@ -152,6 +158,9 @@ TEST(CSession, RefusesTimesThatDoNotIncrease) {
   const glide_imu_sample samples[] = {{1, {0, 0, 9.8F}, {0, 0, 0}}, {1, {0, 0, 9.8F}, {0, 0, 0}}};
   EXPECT_EQ(glide_session_push_imu(walk.session(), samples, 1), GLIDE_OK);
   EXPECT_EQ(glide_session_push_imu(walk.session(), samples + 1, 1), GLIDE_ERROR_TIMESTAMP_ORDER);
+  const glide_imu_sample later[] = {{2, {0, 0, 9.8F}, {0, 0, 0}}, {1, {0, 0, 9.8F}, {0, 0, 0}}};
+  EXPECT_EQ(glide_session_push_imu(walk.session(), later, 2), GLIDE_ERROR_TIMESTAMP_ORDER);
+  EXPECT_EQ(glide_session_push_imu(walk.session(), later, 1), GLIDE_OK);  // nothing was kept
 }
 
 TEST(CSession, KeepsTheLastErrorOfEachThread) {

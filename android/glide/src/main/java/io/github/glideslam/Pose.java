@@ -116,6 +116,31 @@ public final class Pose {
     return new float[] {(float) v[0], (float) v[1], (float) v[2]};
   }
 
+  /** The same for in[inOffset .. inOffset+2], to out[outOffset .. outOffset+2]; both may be one array. */
+  public void transformPoint(float[] in, int inOffset, float[] out, int outOffset) {
+    double[] p = {in[inOffset], in[inOffset + 1], in[inOffset + 2]};
+    rotate(p);
+    out[outOffset] = (float) (p[0] + tx);
+    out[outOffset + 1] = (float) (p[1] + ty);
+    out[outOffset + 2] = (float) (p[2] + tz);
+  }
+
+  /** The same for in[inOffset .. inOffset+2], to out[outOffset .. outOffset+2]; both may be one array. */
+  public void rotateVector(float[] in, int inOffset, float[] out, int outOffset) {
+    double[] v = {in[inOffset], in[inOffset + 1], in[inOffset + 2]};
+    rotate(v);
+    out[outOffset] = (float) v[0];
+    out[outOffset + 1] = (float) v[1];
+    out[outOffset + 2] = (float) v[2];
+  }
+
+  /** Axis 0 (x), 1 (y) or 2 (z) of this frame in its parent, {@code scale} long, to dest[offset .. offset+2]. */
+  public void getTransformedAxis(int axis, float scale, float[] dest, int offset) {
+    float[] vector = {0, 0, 0};
+    vector[axis] = scale;
+    rotateVector(vector, 0, dest, offset);
+  }
+
   /** v + 2 w (q x v) + 2 q x (q x v). */
   private void rotate(double[] v) {
     double cx = qy * v[2] - qz * v[1];
@@ -189,6 +214,21 @@ public final class Pose {
   /** x y z w. */
   public float[] getRotationQuaternion() {
     return new float[] {(float) qx, (float) qy, (float) qz, (float) qw};
+  }
+
+  /** x y z to dest[offset .. offset+2]. */
+  public void getTranslation(float[] dest, int offset) {
+    dest[offset] = (float) tx;
+    dest[offset + 1] = (float) ty;
+    dest[offset + 2] = (float) tz;
+  }
+
+  /** x y z w to dest[offset .. offset+3]. */
+  public void getRotationQuaternion(float[] dest, int offset) {
+    dest[offset] = (float) qx;
+    dest[offset + 1] = (float) qy;
+    dest[offset + 2] = (float) qz;
+    dest[offset + 3] = (float) qw;
   }
 
   /** Undiminished precision: x y z, then the quaternion x y z w, to dest[offset .. offset+6]. */

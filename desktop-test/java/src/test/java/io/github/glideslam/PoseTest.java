@@ -85,6 +85,30 @@ class PoseTest {
   }
 
   @Test
+  @DisplayName("arrays with offsets give what the allocating methods give, also in place")
+  void offsets() {
+    float[] values = {9, 1, 2, 3, 9};
+    QUARTER.transformPoint(values, 1, values, 1);
+    assertArrayEquals(
+        QUARTER.transformPoint(new float[] {1, 2, 3}),
+        java.util.Arrays.copyOfRange(values, 1, 4), EPS);
+    assertEquals(9, values[0]);
+    assertEquals(9, values[4]);
+    float[] rotated = new float[4];
+    QUARTER.rotateVector(new float[] {1, 2, 3}, 0, rotated, 1);
+    assertArrayEquals(
+        QUARTER.rotateVector(new float[] {1, 2, 3}),
+        java.util.Arrays.copyOfRange(rotated, 1, 4), EPS);
+    float[] axis = new float[3];
+    QUARTER.getTransformedAxis(1, 2, axis, 0);
+    assertArrayEquals(new float[] {-2, 0, 0}, axis, EPS);
+    float[] parts = new float[7];
+    QUARTER.getTranslation(parts, 0);
+    QUARTER.getRotationQuaternion(parts, 3);
+    assertArrayEquals(new float[] {1, 2, 3, 0, 0, HALF, HALF}, parts, EPS);
+  }
+
+  @Test
   @DisplayName("a quaternion is normalised, and refused when it is none")
   void normalises() {
     assertEquals(1, Pose.makeRotation(0, 0, 0, 2).qw(), EPS);
