@@ -112,7 +112,9 @@ public final class Camera2SourceTest {
     source.stop();
     CameraThread.settle();
     assertEquals(State.STOPPED, source.getState());
-    assertEquals(Arrays.asList(State.OPENING, State.STOPPED), states);
+    // How far the camera's thread came before is its affair; after the stop it says nothing more.
+    assertEquals(State.OPENING, states.get(0));
+    assertEquals(states.toString(), states.size() - 1, states.indexOf(State.STOPPED));
   }
 
   @Test
