@@ -62,7 +62,25 @@ Structs<T> structsOf(JNIEnv* env, jobject buffer) {
   return {reinterpret_cast<T*>(bytes.data), static_cast<std::size_t>(bytes.size) / sizeof(T)};
 }
 
-/// What the two-call idiom counted; more than an int holds never fits into memory.
-inline jint countOf(std::size_t count) { return static_cast<jint>(count); }
+/// The two-call idiom: runs call(capacity, T*, count*) on as many structs as fit into the buffer
+/// (none for null), and returns the count; more than an int holds never fits into memory.
+template <class T, class Call>
+jint counted(JNIEnv* env, jobject buffer, Call&& call) {
+  std::size_t count = 0;
+  guarded(env, [&] {
+    const auto out = structsOf<T>(env, buffer);
+    return call(out.capacity, out.data, &count);
+  });
+  return static_cast<jint>(count);
+}
+
+/// Runs call(T*) on the struct in a direct buffer.
+template <class T, class Call>
+void withStruct(JNIEnv* env, jobject buffer, Call&& call) {
+  guarded(env, [&]() -> glide_status {
+    T* const given = structOf<T>(env, buffer);
+    return given == nullptr ? GLIDE_ERROR_INVALID_ARGUMENT : call(given);
+  });
+}
 
 }  // namespace glide_jni

@@ -31,36 +31,28 @@ jlong JNICALL mapRevision(JNIEnv* env, jclass /*type*/, jlong map) {
 }
 
 jint JNICALL mapPoints(JNIEnv* env, jclass /*type*/, jlong map, jobject points) {
-  std::size_t count = 0;
-  guarded(env, [&] {
-    const auto out = structsOf<glide_point>(env, points);
-    return glide_map_points(handleOf<glide_map>(map), out.capacity, out.data, &count);
-  });
-  return countOf(count);
+  return counted<glide_point>(
+      env, points, [&](std::size_t capacity, glide_point* out, std::size_t* count) {
+        return glide_map_points(handleOf<glide_map>(map), capacity, out, count);
+      });
 }
 
 jint JNICALL mapKeyframes(JNIEnv* env, jclass /*type*/, jlong map, jobject keyframes) {
-  std::size_t count = 0;
-  guarded(env, [&] {
-    const auto out = structsOf<glide_keyframe>(env, keyframes);
-    return glide_map_keyframes(handleOf<glide_map>(map), out.capacity, out.data, &count);
-  });
-  return countOf(count);
+  return counted<glide_keyframe>(
+      env, keyframes, [&](std::size_t capacity, glide_keyframe* out, std::size_t* count) {
+        return glide_map_keyframes(handleOf<glide_map>(map), capacity, out, count);
+      });
 }
 
 jint JNICALL mapLoops(JNIEnv* env, jclass /*type*/, jlong map, jobject loops) {
-  std::size_t count = 0;
-  guarded(env, [&] {
-    const auto out = structsOf<glide_loop>(env, loops);
-    return glide_map_loops(handleOf<glide_map>(map), out.capacity, out.data, &count);
-  });
-  return countOf(count);
+  return counted<glide_loop>(
+      env, loops, [&](std::size_t capacity, glide_loop* out, std::size_t* count) {
+        return glide_map_loops(handleOf<glide_map>(map), capacity, out, count);
+      });
 }
 
 void JNICALL mapCorrectedCamera(JNIEnv* env, jclass /*type*/, jlong map, jobject camera) {
-  guarded(env, [&]() -> glide_status {
-    auto* answer = structOf<glide_intrinsics>(env, camera);
-    if (answer == nullptr) return GLIDE_ERROR_INVALID_ARGUMENT;
+  withStruct<glide_intrinsics>(env, camera, [&](glide_intrinsics* answer) {
     return glide_map_corrected_camera(handleOf<glide_map>(map), answer);
   });
 }
@@ -102,7 +94,7 @@ jbyteArray JNICALL saveMapBytes(JNIEnv* env, jclass /*type*/, jlong session) {
     const glide_status status = glide_map_save_io(handleOf<glide_session>(session), &io);
     if (status < 0) return status;
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<jsize>::max()))
-      return GLIDE_ERROR_RESOURCE_EXHAUSTED;  // more than a Java array holds
+      return raise(env, GLIDE_ERROR_RESOURCE_EXHAUSTED, "the map is more than a Java array holds");
     result = env->NewByteArray(static_cast<jsize>(bytes.size()));
     if (result == nullptr) return GLIDE_ERROR_FATAL;  // an OutOfMemoryError is pending
     env->SetByteArrayRegion(result, 0, static_cast<jsize>(bytes.size()), bytes.data());

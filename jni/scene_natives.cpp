@@ -78,42 +78,33 @@ void JNICALL projectionMatrix(JNIEnv* env,
 }
 
 jint JNICALL pointCloud(JNIEnv* env, jclass /*type*/, jlong session, jobject points) {
-  std::size_t count = 0;
-  guarded(env, [&] {
-    const auto out = structsOf<glide_point>(env, points);
-    return glide_session_point_cloud(
-        handleOf<glide_session>(session), out.capacity, out.data, &count);
-  });
-  return countOf(count);
+  return counted<glide_point>(
+      env, points, [&](std::size_t capacity, glide_point* out, std::size_t* count) {
+        return glide_session_point_cloud(handleOf<glide_session>(session), capacity, out, count);
+      });
 }
 
 // NOLINTNEXTLINE(readability-function-size): Java has no structs to pass
 jint JNICALL
 hitTest(JNIEnv* env, jclass /*type*/, jlong session, jfloat x, jfloat y, jobject hits) {
-  std::size_t count = 0;
-  guarded(env, [&] {
-    const auto out = structsOf<glide_hit>(env, hits);
-    const std::array<float, 2> uv{x, y};
-    return glide_session_hit_test(
-        handleOf<glide_session>(session), uv.data(), out.capacity, out.data, &count);
-  });
-  return countOf(count);
+  const std::array<float, 2> uv{x, y};
+  return counted<glide_hit>(
+      env, hits, [&](std::size_t capacity, glide_hit* out, std::size_t* count) {
+        return glide_session_hit_test(
+            handleOf<glide_session>(session), uv.data(), capacity, out, count);
+      });
 }
 
 jlong JNICALL createAnchor(JNIEnv* env, jclass /*type*/, jlong session, jobject pose) {
   std::uint64_t anchor = 0;
-  guarded(env, [&]() -> glide_status {
-    const auto* given = structOf<glide_pose>(env, pose);
-    if (given == nullptr) return GLIDE_ERROR_INVALID_ARGUMENT;
+  withStruct<glide_pose>(env, pose, [&](const glide_pose* given) {
     return glide_anchor_create(handleOf<glide_session>(session), given, &anchor);
   });
   return static_cast<jlong>(anchor);
 }
 
 void JNICALL anchor(JNIEnv* env, jclass /*type*/, jlong session, jlong id, jobject state) {
-  guarded(env, [&]() -> glide_status {
-    auto* answer = structOf<glide_anchor>(env, state);
-    if (answer == nullptr) return GLIDE_ERROR_INVALID_ARGUMENT;
+  withStruct<glide_anchor>(env, state, [&](glide_anchor* answer) {
     return glide_anchor_get(
         handleOf<glide_session>(session), static_cast<std::uint64_t>(id), answer);
   });

@@ -48,9 +48,7 @@ glide_status createSession(JNIEnv* env, glide_config config, jbyteArray given, j
 
 jlong JNICALL create(JNIEnv* env, jclass /*type*/, jobject config, jbyteArray settings) {
   jlong session = 0;
-  guarded(env, [&]() -> glide_status {
-    const auto* given = structOf<glide_config>(env, config);
-    if (given == nullptr) return GLIDE_ERROR_INVALID_ARGUMENT;
+  withStruct<glide_config>(env, config, [&](const glide_config* given) {
     return createSession(env, *given, settings, &session);
   });
   return session;
@@ -108,9 +106,7 @@ void JNICALL update(JNIEnv* env,
 }
 
 void JNICALL backend(JNIEnv* env, jclass /*type*/, jlong session, jobject info) {
-  guarded(env, [&]() -> glide_status {
-    auto* answer = structOf<glide_backend_info>(env, info);
-    if (answer == nullptr) return GLIDE_ERROR_INVALID_ARGUMENT;
+  withStruct<glide_backend_info>(env, info, [&](glide_backend_info* answer) {
     return glide_session_backend(handleOf<glide_session>(session), answer);
   });
 }
@@ -124,9 +120,7 @@ void JNICALL pushImu(JNIEnv* env, jclass /*type*/, jlong session, jobject sample
 }
 
 void JNICALL locate(JNIEnv* env, jclass /*type*/, jlong session, jlong t_ns, jobject location) {
-  guarded(env, [&]() -> glide_status {
-    auto* answer = structOf<glide_location>(env, location);
-    if (answer == nullptr) return GLIDE_ERROR_INVALID_ARGUMENT;
+  withStruct<glide_location>(env, location, [&](glide_location* answer) {
     return glide_session_locate(handleOf<glide_session>(session), t_ns, answer);
   });
 }

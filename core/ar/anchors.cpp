@@ -1,6 +1,6 @@
 #include "ar/anchors.h"
 
-#include "ar/axes.h"
+#include "geometry/pose_conversion.h"
 
 #include <algorithm>
 

@@ -19,6 +19,12 @@ SE3d AppWorld::cameraToApp(const SE3d& T_world_cam) const {
           pointToApp(T_world_cam.t)};
 }
 
+SE3d AppWorld::cameraToGl(const SE3d& T_world_cam) const {
+  const SE3d T_app_cam = cameraToApp(T_world_cam);
+  const Eigen::Quaterniond A = appFromCv(AppAxes::gl) * appFromCv(axes_).conjugate();
+  return {A * T_app_cam.q * A.conjugate(), A * T_app_cam.t};
+}
+
 SE3d AppWorld::cameraFromApp(const SE3d& T_app_cam) const {
   return {(R_app_world_.conjugate() * T_app_cam.q * appFromCv(axes_)).normalized(),
           (R_app_world_.conjugate() * T_app_cam.t) / scale_};

@@ -22,6 +22,8 @@ class AppWorld {
 
   /// A camera (or any frame with camera axes) of the map's world, in the app's, and back.
   SE3d cameraToApp(const SE3d& T_world_cam) const;
+  /// The same with OpenGL's axes, of world and camera, whatever the app's are.
+  SE3d cameraToGl(const SE3d& T_world_cam) const;
   SE3d cameraFromApp(const SE3d& T_app_cam) const;
   /// A frame whose own axes are the app's affair, such as an anchor.
   SE3d objectToApp(const SE3d& T_world_object) const;
@@ -29,7 +31,6 @@ class AppWorld {
   Vec3d pointToApp(const Vec3d& p_world) const { return scale_ * (R_app_world_ * p_world); }
 
   double scale() const { return scale_; }
-  AppAxes axes() const { return axes_; }
 
  private:
   AppAxes axes_;

@@ -2,8 +2,6 @@
 
 #include "geometry/lie.h"
 
-#include "glide/types.h"
-
 namespace glide {
 
 /// Axes of the poses and points that an app sees. The library works in OpenCV's.
@@ -21,11 +19,5 @@ inline Eigen::Quaterniond appFromCv(AppAxes axes) {
 
 /// The world's up in the app's axes.
 inline Vec3d upOf(AppAxes axes) { return {0.0, axes == AppAxes::gl ? 1.0 : -1.0, 0.0}; }
-
-/// The transform behind a public pose.
-inline SE3d fromPose(const Pose& pose) {
-  return {Eigen::Quaterniond(pose.q_xyzw[3], pose.q_xyzw[0], pose.q_xyzw[1], pose.q_xyzw[2]),
-          Vec3d(pose.t_xyz[0], pose.t_xyz[1], pose.t_xyz[2])};
-}
 
 }  // namespace glide

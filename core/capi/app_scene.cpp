@@ -54,13 +54,8 @@ glide_status AppSession::setDisplay(const Display& display) {
 
 glide_status AppSession::viewMatrix(float* matrix) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  // Whatever axes the poses have, the matrix is for OpenGL: CV axes differ by half a turn.
-  const bool is_cv = world_.axes() == AppAxes::cv;
-  const Eigen::Quaterniond A = appFromCv(AppAxes::gl);
-  SE3d T_app_cam = world_.cameraToApp(T_world_cam());
-  if (is_cv) T_app_cam = {A * T_app_cam.q * A.conjugate(), A * T_app_cam.t};
   const SE3d T_display_cam{Eigen::Quaterniond(viewRotation(display_)), Vec3d::Zero()};
-  copyMatrix((T_display_cam * T_app_cam.inverse()).matrix(), matrix);
+  copyMatrix((T_display_cam * world_.cameraToGl(T_world_cam()).inverse()).matrix(), matrix);
   return kDone;
 }
 

@@ -49,8 +49,7 @@ void AppSession::log(std::int32_t level, std::string_view message) const {
 glide_status AppSession::update(const glide_image& image, glide_frame* frame) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_paused_) return refuse(GLIDE_ERROR_SESSION_PAUSED, "call glide_session_resume first");
-  const bool has_gl = session_.backend().backend == Backend::gles;
-  if (has_gl && gl_thread_ && *gl_thread_ != std::this_thread::get_id())
+  if (gl_thread_ && *gl_thread_ != std::this_thread::get_id())
     return refuse(GLIDE_ERROR_WRONG_THREAD,
                   "the thread of the first update owns the GL objects until release_gl");
   const Result<FrameInput> input = toFrameInput(image);

@@ -5,6 +5,8 @@
 #include "ar/display.h"
 #include "ar/surfaces.h"
 
+#include "geometry/pose_conversion.h"
+
 #include "glide/glide_types.h"
 #include "glide/session.h"
 

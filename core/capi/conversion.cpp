@@ -1,5 +1,7 @@
 #include "capi/conversion.h"
 
+#include "geometry/pose_conversion.h"
+
 #include "glide/config_text.h"
 
 #include <algorithm>
@@ -22,10 +24,30 @@ constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 Error invalid(const std::string& what) { return {ErrorCode::invalid_argument, what}; }
 
-static_assert(static_cast<int>(DistortionModel::none) == GLIDE_DISTORTION_NONE);
-static_assert(static_cast<int>(DistortionModel::radial_tangential) == GLIDE_DISTORTION_RADTAN);
-static_assert(static_cast<int>(DistortionModel::kannala_brandt4) ==
-              GLIDE_DISTORTION_KANNALA_BRANDT4);
+/// The C number of an enum whose values stand in the C ABI's order, as asserted below.
+template <class E>
+constexpr std::int32_t numberOf(E value) {
+  return static_cast<std::int32_t>(value);
+}
+static_assert(numberOf(DistortionModel::none) == GLIDE_DISTORTION_NONE);
+static_assert(numberOf(DistortionModel::radial_tangential) == GLIDE_DISTORTION_RADTAN);
+static_assert(numberOf(DistortionModel::kannala_brandt4) == GLIDE_DISTORTION_KANNALA_BRANDT4);
+static_assert(numberOf(TrackingState::initializing) == GLIDE_STATE_INITIALIZING);
+static_assert(numberOf(TrackingState::tracking) == GLIDE_STATE_TRACKING);
+static_assert(numberOf(TrackingState::lost) == GLIDE_STATE_LOST);
+static_assert(numberOf(TrackingState::paused) == GLIDE_STATE_PAUSED);
+static_assert(numberOf(TrackerKind::none) == GLIDE_TRACKER_NONE);
+static_assert(numberOf(TrackerKind::direct) == GLIDE_TRACKER_DIRECT);
+static_assert(numberOf(TrackerKind::indirect) == GLIDE_TRACKER_INDIRECT);
+static_assert(numberOf(SwitchReason::none) == GLIDE_SWITCH_NONE);
+static_assert(numberOf(SwitchReason::no_reference) == GLIDE_SWITCH_NO_REFERENCE);
+static_assert(numberOf(SwitchReason::solve_failed) == GLIDE_SWITCH_SOLVE_FAILED);
+static_assert(numberOf(SwitchReason::too_few_visible) == GLIDE_SWITCH_TOO_FEW_VISIBLE);
+static_assert(numberOf(SwitchReason::photometric_error) == GLIDE_SWITCH_PHOTOMETRIC_ERROR);
+static_assert(numberOf(SwitchReason::baseline) == GLIDE_SWITCH_BASELINE);
+static_assert(numberOf(SwitchReason::rotation) == GLIDE_SWITCH_ROTATION);
+static_assert(numberOf(SwitchReason::max_direct_frames) == GLIDE_SWITCH_MAX_DIRECT_FRAMES);
+static_assert(numberOf(SwitchReason::disabled) == GLIDE_SWITCH_DISABLED);
 
 /// The enum's value for a C number; nothing beyond the last.
 template <class E, std::size_t n>
@@ -92,56 +114,6 @@ std::int32_t reasonOf(const FrameResult& result) {
       break;
   }
   return GLIDE_REASON_NONE;
-}
-
-std::int32_t stateOf(TrackingState state) {
-  switch (state) {
-    case TrackingState::initializing:
-      return GLIDE_STATE_INITIALIZING;
-    case TrackingState::tracking:
-      return GLIDE_STATE_TRACKING;
-    case TrackingState::lost:
-      return GLIDE_STATE_LOST;
-    case TrackingState::paused:
-      break;
-  }
-  return GLIDE_STATE_PAUSED;
-}
-
-std::int32_t trackerOf(TrackerKind tracker) {
-  switch (tracker) {
-    case TrackerKind::direct:
-      return GLIDE_TRACKER_DIRECT;
-    case TrackerKind::indirect:
-      return GLIDE_TRACKER_INDIRECT;
-    case TrackerKind::none:
-      break;
-  }
-  return GLIDE_TRACKER_NONE;
-}
-
-std::int32_t switchOf(SwitchReason reason) {
-  switch (reason) {
-    case SwitchReason::none:
-      return GLIDE_SWITCH_NONE;
-    case SwitchReason::no_reference:
-      return GLIDE_SWITCH_NO_REFERENCE;
-    case SwitchReason::solve_failed:
-      return GLIDE_SWITCH_SOLVE_FAILED;
-    case SwitchReason::too_few_visible:
-      return GLIDE_SWITCH_TOO_FEW_VISIBLE;
-    case SwitchReason::photometric_error:
-      return GLIDE_SWITCH_PHOTOMETRIC_ERROR;
-    case SwitchReason::baseline:
-      return GLIDE_SWITCH_BASELINE;
-    case SwitchReason::rotation:
-      return GLIDE_SWITCH_ROTATION;
-    case SwitchReason::max_direct_frames:
-      return GLIDE_SWITCH_MAX_DIRECT_FRAMES;
-    case SwitchReason::disabled:
-      break;
-  }
-  return GLIDE_SWITCH_DISABLED;
 }
 
 void copyCorrection(const WorldCorrection& correction, const AppWorld& world, glide_frame* frame) {
@@ -222,9 +194,9 @@ bool isSound(const glide_pose& pose) {
 glide_frame toC(const FrameResult& result, const AppWorld& world) {
   const auto f = [](double value) { return static_cast<float>(value); };
   glide_frame frame{};
-  frame.state = stateOf(result.state);
+  frame.state = numberOf(result.state);
   frame.reason = reasonOf(result);
-  frame.tracker = trackerOf(result.tracker);
+  frame.tracker = numberOf(result.tracker);
   frame.t_ns = result.t_ns;
   frame.camera = toC(world.cameraToApp(fromPose(result.T_world_cam)));
   frame.confidence = f(result.confidence);
@@ -244,7 +216,7 @@ glide_frame toC(const FrameResult& result, const AppWorld& world) {
   frame.mapping_ms = f(result.stats.mapping_ms);
   frame.readback_ms = f(result.stats.readback_ms);
   frame.rms = f(result.stats.rms);
-  frame.switch_reason = switchOf(result.switch_reason);
+  frame.switch_reason = numberOf(result.switch_reason);
   frame.start_matches = result.initialization.matches;
   frame.start_parallax_deg = f(result.initialization.parallax_deg);
   frame.start_landmarks = result.initialization.landmarks;
@@ -268,7 +240,7 @@ glide_intrinsics toC(const CameraIntrinsics& camera) {
   result.fy = camera.fy;
   result.cx = camera.cx;
   result.cy = camera.cy;
-  result.distortion = static_cast<std::int32_t>(camera.distortion);  // the order is the same
+  result.distortion = numberOf(camera.distortion);
   const std::size_t count =
       std::min(camera.coefficients.size(), std::size(glide_intrinsics{}.coefficients));
   result.coefficient_count = static_cast<std::int32_t>(count);

@@ -23,8 +23,6 @@ using AppMap = AppSession::AppMap;
 // Read in pieces: how much there is, is known only at the end.
 constexpr std::size_t kReadStep = 1U << 16U;
 
-glide_status wrong(const std::string& what) { return refuse(GLIDE_ERROR_INVALID_ARGUMENT, what); }
-
 glide_status doneOr(const Status& status) { return status ? kDone : refuse(status.error()); }
 
 /// Runs function(const AppMap&) on the map of a handle, or says that there is none.
@@ -57,7 +55,7 @@ extern "C" {
 
 glide_status glide_map_acquire(glide_session* session, glide_map** map) {
   return withSession(session, [&](AppSession& app) {
-    if (map == nullptr) return wrong("map is null");
+    if (map == nullptr) return refuseArgument("map is null");
     *map = mapTable().add(app.map());
     return kDone;
   });
@@ -72,7 +70,7 @@ void glide_map_release(glide_map* map) {
 
 glide_status glide_map_revision(const glide_map* map, uint64_t* revision) {
   return withMap(map, [&](const AppMap& app) {
-    if (revision == nullptr) return wrong("revision is null");
+    if (revision == nullptr) return refuseArgument("revision is null");
     *revision = app.view->revision;
     return kDone;
   });
@@ -84,7 +82,7 @@ glide_status glide_map_points(const glide_map* map,
                               size_t* count) {
   return withMap(map, [&](const AppMap& app) {
     const CountedOut<glide_point> out{capacity, points, count};
-    if (!out.isValid()) return wrong("points or count is null");
+    if (!out.isValid()) return refuseArgument("points or count is null");
     const auto& landmarks = app.view->landmarks;
     return out.fill(landmarks.size(), [&](std::size_t i) { return toC(landmarks[i], app.world); });
   });
@@ -96,7 +94,7 @@ glide_status glide_map_keyframes(const glide_map* map,
                                  size_t* count) {
   return withMap(map, [&](const AppMap& app) {
     const CountedOut<glide_keyframe> out{capacity, keyframes, count};
-    if (!out.isValid()) return wrong("keyframes or count is null");
+    if (!out.isValid()) return refuseArgument("keyframes or count is null");
     const auto& all = app.view->keyframes;
     return out.fill(all.size(), [&](std::size_t i) { return toC(all[i], app.world); });
   });
@@ -108,7 +106,7 @@ glide_status glide_map_loops(const glide_map* map,
                              size_t* count) {
   return withMap(map, [&](const AppMap& app) {
     const CountedOut<glide_loop> out{capacity, loops, count};
-    if (!out.isValid()) return wrong("loops or count is null");
+    if (!out.isValid()) return refuseArgument("loops or count is null");
     const auto& all = app.view->loops;
     return out.fill(all.size(), [&](std::size_t i) {
       return glide_loop{all[i].newer, all[i].older};
@@ -118,7 +116,7 @@ glide_status glide_map_loops(const glide_map* map,
 
 glide_status glide_map_corrected_camera(const glide_map* map, glide_intrinsics* camera) {
   return withMap(map, [&](const AppMap& app) {
-    if (camera == nullptr) return wrong("camera is null");
+    if (camera == nullptr) return refuseArgument("camera is null");
     if (!app.view->corrected_camera)
       return refuse(GLIDE_ERROR_NOT_YET_AVAILABLE, "the camera is as it was given");
     *camera = toC(*app.view->corrected_camera);
@@ -128,14 +126,14 @@ glide_status glide_map_corrected_camera(const glide_map* map, glide_intrinsics* 
 
 glide_status glide_map_save(glide_session* session, const char* path) {
   return withSession(session, [&](AppSession& app) {
-    if (path == nullptr) return wrong("path is null");
+    if (path == nullptr) return refuseArgument("path is null");
     return doneOr(app.saveMap(path));
   });
 }
 
 glide_status glide_map_load(glide_session* session, const char* path) {
   return withSession(session, [&](AppSession& app) {
-    if (path == nullptr) return wrong("path is null");
+    if (path == nullptr) return refuseArgument("path is null");
     return doneOr(app.loadMap(path));
   });
 }
@@ -143,7 +141,7 @@ glide_status glide_map_load(glide_session* session, const char* path) {
 glide_status glide_map_save_io(glide_session* session, const glide_io* io) {
   return withSession(session, [&](AppSession& app) {
     const std::optional<glide_io> known = readSized(io);
-    if (!known || known->write == nullptr) return wrong("io or io->write is null");
+    if (!known || known->write == nullptr) return refuseArgument("io or io->write is null");
     const Result<std::vector<std::byte>> bytes = app.saveMap();
     if (!bytes) return refuse(bytes.error());
     const std::size_t written = known->write(known->user, bytes->data(), bytes->size());
@@ -157,7 +155,7 @@ glide_status glide_map_save_io(glide_session* session, const glide_io* io) {
 glide_status glide_map_load_io(glide_session* session, const glide_io* io) {
   return withSession(session, [&](AppSession& app) {
     const std::optional<glide_io> known = readSized(io);
-    if (!known || known->read == nullptr) return wrong("io or io->read is null");
+    if (!known || known->read == nullptr) return refuseArgument("io or io->read is null");
     return doneOr(app.loadMap(readAll(*known)));
   });
 }

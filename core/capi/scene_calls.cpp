@@ -13,8 +13,6 @@ using namespace glide;  // NOLINT(google-build-using-namespace): the file is the
 
 namespace {
 
-glide_status wrong(const std::string& what) { return refuse(GLIDE_ERROR_INVALID_ARGUMENT, what); }
-
 template <class T>
 glide_status giveAll(const std::vector<T>& values, const CountedOut<T>& out) {
   return out.fill(values.size(), [&](std::size_t i) { return values[i]; });
@@ -27,16 +25,17 @@ extern "C" {
 glide_status glide_session_set_metric_scale(glide_session* session, float metres_per_unit) {
   return withSession(session, [&](AppSession& app) {
     if (!(metres_per_unit > 0.0F) || !std::isfinite(metres_per_unit))
-      return wrong("metres_per_unit is not a positive number");
+      return refuseArgument("metres_per_unit is not a positive number");
     return app.setMetricScale(static_cast<double>(metres_per_unit));
   });
 }
 
 glide_status glide_session_set_gravity(glide_session* session, const float down[3]) {
   return withSession(session, [&](AppSession& app) {
-    if (down == nullptr) return wrong("down is null");
+    if (down == nullptr) return refuseArgument("down is null");
     const Vec3d down_cam = Eigen::Map<const Eigen::Vector3f>(down).cast<double>();
-    if (!(down_cam.norm() > 0.0) || !down_cam.allFinite()) return wrong("down is no direction");
+    if (!(down_cam.norm() > 0.0) || !down_cam.allFinite())
+      return refuseArgument("down is no direction");
     return app.setGravity(down_cam);
   });
 }
@@ -47,15 +46,16 @@ glide_status glide_session_set_display(glide_session* session,
                                        int32_t height) {
   return withSession(session, [&](AppSession& app) {
     if (rotation_deg < 0 || rotation_deg > 270 || rotation_deg % 90 != 0)
-      return wrong("rotation_deg is none of 0, 90, 180, 270");
-    if (width <= 0 || height <= 0) return wrong("width or height of the display is not positive");
+      return refuseArgument("rotation_deg is none of 0, 90, 180, 270");
+    if (width <= 0 || height <= 0)
+      return refuseArgument("width or height of the display is not positive");
     return app.setDisplay({rotation_deg, width, height});
   });
 }
 
 glide_status glide_session_view_matrix(glide_session* session, float matrix[16]) {
   return withSession(session, [&](AppSession& app) {
-    if (matrix == nullptr) return wrong("matrix is null");
+    if (matrix == nullptr) return refuseArgument("matrix is null");
     return app.viewMatrix(matrix);
   });
 }
@@ -65,9 +65,9 @@ glide_status glide_session_projection_matrix(glide_session* session,
                                              float far_plane,
                                              float matrix[16]) {
   return withSession(session, [&](AppSession& app) {
-    if (matrix == nullptr) return wrong("matrix is null");
+    if (matrix == nullptr) return refuseArgument("matrix is null");
     if (!(near_plane > 0.0F) || !(far_plane > near_plane) || !std::isfinite(far_plane))
-      return wrong("the planes are not 0 < near < far");
+      return refuseArgument("the planes are not 0 < near < far");
     return app.projectionMatrix({static_cast<double>(near_plane), static_cast<double>(far_plane)},
                                 matrix);
   });
@@ -79,7 +79,7 @@ glide_status glide_session_point_cloud(glide_session* session,
                                        size_t* count) {
   return withSession(session, [&](AppSession& app) {
     const CountedOut<glide_point> out{capacity, points, count};
-    if (!out.isValid()) return wrong("points or count is null");
+    if (!out.isValid()) return refuseArgument("points or count is null");
     return giveAll(app.pointCloud(), out);
   });
 }
@@ -88,22 +88,23 @@ glide_status glide_session_hit_test(
     glide_session* session, const float uv[2], size_t capacity, glide_hit* hits, size_t* count) {
   return withSession(session, [&](AppSession& app) {
     const CountedOut<glide_hit> out{capacity, hits, count};
-    if (uv == nullptr || !out.isValid()) return wrong("uv, hits or count is null");
+    if (uv == nullptr || !out.isValid()) return refuseArgument("uv, hits or count is null");
     return giveAll(app.hitTest({static_cast<double>(uv[0]), static_cast<double>(uv[1])}), out);
   });
 }
 
 glide_status glide_anchor_create(glide_session* session, const glide_pose* pose, uint64_t* anchor) {
   return withSession(session, [&](AppSession& app) {
-    if (pose == nullptr || anchor == nullptr) return wrong("pose or anchor is null");
-    if (!isSound(*pose)) return wrong("pose is not finite, or its quaternion is not of length one");
+    if (pose == nullptr || anchor == nullptr) return refuseArgument("pose or anchor is null");
+    if (!isSound(*pose))
+      return refuseArgument("pose is not finite, or its quaternion is not of length one");
     return app.createAnchor(*pose, anchor);
   });
 }
 
 glide_status glide_anchor_get(glide_session* session, uint64_t anchor, glide_anchor* state) {
   return withSession(session, [&](AppSession& app) {
-    if (!isWritable(state)) return wrong("state is null, or its struct_size is not set");
+    if (!isWritable(state)) return refuseArgument("state is null, or its struct_size is not set");
     return app.anchor(anchor, state);
   });
 }

@@ -19,8 +19,7 @@ SessionTable& sessionTable() {
 namespace {
 
 glide_status nullArgument(const char* name) {
-  return refuse(GLIDE_ERROR_INVALID_ARGUMENT,
-                std::string(name) + " is null, or its struct_size is not set");
+  return refuseArgument(std::string(name) + " is null, or its struct_size is not set");
 }
 
 template <std::size_t n>

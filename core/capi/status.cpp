@@ -25,6 +25,10 @@ glide_status refuse(glide_status status, std::string_view why) {
   return status;
 }
 
+glide_status refuseArgument(std::string_view why) {
+  return refuse(GLIDE_ERROR_INVALID_ARGUMENT, why);
+}
+
 glide_status refuse(const Error& error) { return refuse(statusOf(error.code), error.message); }
 
 glide_status statusOf(ErrorCode code) {

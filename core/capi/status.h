@@ -15,6 +15,9 @@ void setLastError(std::string_view message);
 glide_status refuse(glide_status status, std::string_view why);
 glide_status refuse(const Error& error);
 
+/// refuse() of GLIDE_ERROR_INVALID_ARGUMENT.
+glide_status refuseArgument(std::string_view why);
+
 /// GLIDE_OK with the type of a status.
 inline constexpr glide_status kDone = GLIDE_OK;
 

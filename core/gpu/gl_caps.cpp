@@ -1,6 +1,6 @@
 #include "gpu/gl_caps.h"
 
-#include "gpu/gl.h"
+#include "gpu/gl_query.h"
 
 #include <cctype>
 
@@ -12,12 +12,6 @@ constexpr std::array<int, 2> kNeeded{3, 1};
 std::string glString(GLenum name) {
   const GLubyte* text = glGetString(name);
   return text == nullptr ? std::string() : reinterpret_cast<const char*>(text);
-}
-
-int glInteger(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
 }
 
 bool hasExtension(std::string_view extension) {

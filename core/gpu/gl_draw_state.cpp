@@ -1,24 +1,18 @@
 #include "gpu/gl_draw_state.h"
 
+#include "gpu/gl_query.h"
+
 // ES 3.2, for the state of one draw buffer: called only in such contexts.
 #include <GLES3/gl32.h>
 
 namespace glide {
 namespace {
 
-GLuint nameOf(GLint value) { return static_cast<GLuint>(value); }
-
-GLint integer(GLenum query) {
-  GLint value = 0;
-  glGetIntegerv(query, &value);
-  return value;
-}
-
 /// Whether each draw buffer has its own blending and colour mask, which glDisable(GL_BLEND) and
 /// glColorMask would set for all of them.
 bool hasStateOfEachDrawBuffer() {
-  const GLint major = integer(GL_MAJOR_VERSION);
-  return major > 3 || (major == 3 && integer(GL_MINOR_VERSION) >= 2);
+  const GLint major = glInteger(GL_MAJOR_VERSION);
+  return major > 3 || (major == 3 && glInteger(GL_MINOR_VERSION) >= 2);
 }
 
 bool isEnabled(GLenum capability) { return glIsEnabled(capability) == GL_TRUE; }
@@ -64,10 +58,10 @@ void applyTests(const GlDrawState& state) {
 
 GlDrawState GlDrawState::current() {
   GlDrawState state;
-  state.draw_framebuffer = integer(GL_DRAW_FRAMEBUFFER_BINDING);
-  state.read_framebuffer = integer(GL_READ_FRAMEBUFFER_BINDING);
-  state.vertex_array = integer(GL_VERTEX_ARRAY_BINDING);
-  state.array_buffer = integer(GL_ARRAY_BUFFER_BINDING);
+  state.draw_framebuffer = glInteger(GL_DRAW_FRAMEBUFFER_BINDING);
+  state.read_framebuffer = glInteger(GL_READ_FRAMEBUFFER_BINDING);
+  state.vertex_array = glInteger(GL_VERTEX_ARRAY_BINDING);
+  state.array_buffer = glInteger(GL_ARRAY_BUFFER_BINDING);
   glGetIntegerv(GL_VIEWPORT, state.viewport.data());
   glGetBooleanv(GL_COLOR_WRITEMASK, state.color_mask.data());
   state.blend = isEnabled(GL_BLEND);

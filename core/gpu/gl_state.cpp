@@ -1,5 +1,7 @@
 #include "gpu/gl_state.h"
 
+#include "gpu/gl_query.h"
+
 namespace glide {
 namespace {
 
@@ -7,20 +9,6 @@ using TextureUnit = GlComputeState::TextureUnit;
 using ImageUnit = GlComputeState::ImageUnit;
 using IndexedBuffer = GlComputeState::IndexedBuffer;
 using PixelUnpack = GlComputeState::PixelUnpack;
-
-GLuint nameOf(GLint value) { return static_cast<GLuint>(value); }
-
-GLint integer(GLenum query) {
-  GLint value = 0;
-  glGetIntegerv(query, &value);
-  return value;
-}
-
-GLint integer(GLenum query, GLuint index) {
-  GLint value = 0;
-  glGetIntegeri_v(query, index, &value);
-  return value;
-}
 
 /// The three queries of one indexed buffer target.
 struct IndexedTarget {
@@ -37,7 +25,7 @@ template <class Buffers>
 void saveIndexed(const IndexedTarget& target, Buffers* buffers) {
   GLuint index = 0;
   for (IndexedBuffer& buffer : *buffers) {
-    buffer.name = integer(target.binding, index);
+    buffer.name = glInteger(target.binding, index);
     if (buffer.name != 0) {
       glGetInteger64i_v(target.start, index, &buffer.start);
       glGetInteger64i_v(target.size, index, &buffer.size);
@@ -64,12 +52,12 @@ void applyIndexed(const IndexedTarget& target, const Buffers& buffers) {
 }
 
 ImageUnit currentImage(GLuint unit) {
-  return {integer(GL_IMAGE_BINDING_NAME, unit),
-          integer(GL_IMAGE_BINDING_LEVEL, unit),
-          integer(GL_IMAGE_BINDING_LAYERED, unit),
-          integer(GL_IMAGE_BINDING_LAYER, unit),
-          integer(GL_IMAGE_BINDING_ACCESS, unit),
-          integer(GL_IMAGE_BINDING_FORMAT, unit)};
+  return {glInteger(GL_IMAGE_BINDING_NAME, unit),
+          glInteger(GL_IMAGE_BINDING_LEVEL, unit),
+          glInteger(GL_IMAGE_BINDING_LAYERED, unit),
+          glInteger(GL_IMAGE_BINDING_LAYER, unit),
+          glInteger(GL_IMAGE_BINDING_ACCESS, unit),
+          glInteger(GL_IMAGE_BINDING_FORMAT, unit)};
 }
 
 void applyImage(GLuint unit, const ImageUnit& image) {
@@ -85,11 +73,11 @@ void applyImage(GLuint unit, const ImageUnit& image) {
 }
 
 void saveTextures(GlComputeState* state) {
-  state->active_texture = integer(GL_ACTIVE_TEXTURE);
+  state->active_texture = glInteger(GL_ACTIVE_TEXTURE);
   GLuint unit = 0;
   for (TextureUnit& texture : state->textures) {
     glActiveTexture(GL_TEXTURE0 + unit++);
-    texture = {integer(GL_TEXTURE_BINDING_2D), integer(GL_SAMPLER_BINDING)};
+    texture = {glInteger(GL_TEXTURE_BINDING_2D), glInteger(GL_SAMPLER_BINDING)};
   }
   glActiveTexture(nameOf(state->active_texture));
   unit = 0;
@@ -111,11 +99,11 @@ void applyTextures(const GlComputeState& state) {
 }
 
 PixelUnpack currentUnpack() {
-  return {integer(GL_PIXEL_UNPACK_BUFFER_BINDING),
-          integer(GL_UNPACK_ALIGNMENT),
-          integer(GL_UNPACK_ROW_LENGTH),
-          integer(GL_UNPACK_SKIP_ROWS),
-          integer(GL_UNPACK_SKIP_PIXELS)};
+  return {glInteger(GL_PIXEL_UNPACK_BUFFER_BINDING),
+          glInteger(GL_UNPACK_ALIGNMENT),
+          glInteger(GL_UNPACK_ROW_LENGTH),
+          glInteger(GL_UNPACK_SKIP_ROWS),
+          glInteger(GL_UNPACK_SKIP_PIXELS)};
 }
 
 void applyUnpack(const PixelUnpack& unpack) {
@@ -127,19 +115,19 @@ void applyUnpack(const PixelUnpack& unpack) {
 }
 
 bool isFeedbackRunning() {
-  return integer(GL_TRANSFORM_FEEDBACK_ACTIVE) == GL_TRUE &&
-         integer(GL_TRANSFORM_FEEDBACK_PAUSED) == GL_FALSE;
+  return glInteger(GL_TRANSFORM_FEEDBACK_ACTIVE) == GL_TRUE &&
+         glInteger(GL_TRANSFORM_FEEDBACK_PAUSED) == GL_FALSE;
 }
 
 }  // namespace
 
 GlComputeState GlComputeState::current() {
   GlComputeState state;
-  state.program = integer(GL_CURRENT_PROGRAM);
+  state.program = glInteger(GL_CURRENT_PROGRAM);
   saveTextures(&state);
   state.unpack = currentUnpack();
-  state.storage_buffer = integer(GL_SHADER_STORAGE_BUFFER_BINDING);
-  state.uniform_buffer = integer(GL_UNIFORM_BUFFER_BINDING);
+  state.storage_buffer = glInteger(GL_SHADER_STORAGE_BUFFER_BINDING);
+  state.uniform_buffer = glInteger(GL_UNIFORM_BUFFER_BINDING);
   saveIndexed(kStorage, &state.storage);
   saveIndexed(kUniform, &state.uniform);
   state.is_feedback_running = isFeedbackRunning();
@@ -169,7 +157,7 @@ void GlComputeState::neutralize() {
 ScopedTextureBinding::ScopedTextureBinding(GlStatePolicy policy, GLenum target, GLenum binding)
     : policy_(policy), target_(target) {
   glActiveTexture(GL_TEXTURE0);
-  if (policy == GlStatePolicy::preserve) texture_ = integer(binding);
+  if (policy == GlStatePolicy::preserve) texture_ = glInteger(binding);
 }
 
 ScopedTextureBinding::~ScopedTextureBinding() {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "session/pose_conversion.h"
 #include "track/anchored_pose.h"
+
+#include "geometry/pose_conversion.h"
 
 #include "glide/frame.h"
 

@@ -1,6 +1,6 @@
 #include "session/map_view_builder.h"
 
-#include "session/pose_conversion.h"
+#include "geometry/pose_conversion.h"
 
 #include <algorithm>
 

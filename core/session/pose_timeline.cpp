@@ -1,6 +1,6 @@
 #include "session/pose_timeline.h"
 
-#include "session/pose_conversion.h"
+#include "geometry/pose_conversion.h"
 
 #include <algorithm>
 #include <cstddef>

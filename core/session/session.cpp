@@ -86,6 +86,6 @@ Status Session::loadMap(std::span<const std::byte> bytes) try {
 
 void Session::waitForMapping() { impl_->waitForMapping(); }
 
-BackendInfo Session::backend() const { return impl_->backend(); }
+const BackendInfo& Session::backend() const { return impl_->backend(); }
 
 }  // namespace glide

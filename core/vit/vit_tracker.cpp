@@ -1,7 +1,8 @@
 #include "vit/vit_tracker.h"
 
-#include "ar/axes.h"
 #include "ar/surfaces.h"
+
+#include "geometry/pose_conversion.h"
 
 #include "glide/config_text.h"
 

@@ -1,3 +1,4 @@
+#include "capi/conversion.h"
 #include "guest/guest_fixture.h"
 
 #include "glide/glide.h"
@@ -14,17 +15,11 @@ class CSessionInContext : public GlTest {
   void SetUp() override {
     GlTest::SetUp();
     if (IsSkipped()) return;
-    const CameraIntrinsics camera = sequence_.config().camera;
     glide_config config;
     GLIDE_INIT(config);
     config.backend = GLIDE_BACKEND_GLES;
     config.execution = GLIDE_EXECUTION_INLINE;
-    config.camera.width = camera.width;
-    config.camera.height = camera.height;
-    config.camera.fx = camera.fx;
-    config.camera.fy = camera.fy;
-    config.camera.cx = camera.cx;
-    config.camera.cy = camera.cy;
+    config.camera = toC(sequence_.config().camera);
     ASSERT_EQ(glide_session_create(&config, &session_), GLIDE_OK) << glide_last_error();
   }
   void TearDown() override {

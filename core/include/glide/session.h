@@ -85,7 +85,8 @@ class GLIDE_API Session {
   /// worked in (offline use: lossless replay).
   void waitForMapping();
 
-  BackendInfo backend() const;
+  /// As of the last update(), which may replace it.
+  const BackendInfo& backend() const;
 
  private:
   class Impl;

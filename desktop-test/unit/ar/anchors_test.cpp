@@ -1,7 +1,5 @@
 #include "ar/anchors.h"
 
-#include "ar/axes.h"
-
 #include <gtest/gtest.h>
 
 namespace glide {

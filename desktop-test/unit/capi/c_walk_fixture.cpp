@@ -1,5 +1,7 @@
 #include "unit/capi/c_walk_fixture.h"
 
+#include "capi/conversion.h"
+
 #include <gtest/gtest.h>
 
 namespace glide::test {
@@ -11,18 +13,12 @@ constexpr double kStep_m = 0.01;
 CWalk::CWalk(std::int32_t axes) : CWalk(axes, GLIDE_EXECUTION_INLINE) {}
 
 CWalk::CWalk(std::int32_t axes, std::int32_t execution) : config_(sized<glide_config>()) {
-  const CameraIntrinsics camera = sequence_.config().camera;
   config_.backend = GLIDE_BACKEND_CPU;
   config_.execution = execution;
   config_.axes = axes;
   config_.setting_count = static_cast<std::uint32_t>(settings_.size());
   config_.settings = settings_.data();
-  config_.camera.width = camera.width;
-  config_.camera.height = camera.height;
-  config_.camera.fx = camera.fx;
-  config_.camera.fy = camera.fy;
-  config_.camera.cx = camera.cx;
-  config_.camera.cy = camera.cy;
+  config_.camera = toC(sequence_.config().camera);
   EXPECT_EQ(glide_session_create(&config_, &session_), GLIDE_OK) << glide_last_error();
 }
 
