@@ -93,6 +93,16 @@ struct FrameStats {
   bool keyframe = false;  ///< this frame was handed to the mapper
 };
 
+/// A landmark as the last frame saw it (Session::trackedPoints).
+struct TrackedPoint {
+  std::uint64_t landmark = 0;  ///< MapView::Landmark::id
+  float u = 0.0F, v = 0.0F;    ///< px in the frame
+  /// Direct frames: RMS difference of the patch after gain and bias, grey levels. Indirect frames:
+  /// distance between the feature and the projected landmark, px.
+  float residual = 0.0F;
+  bool inlier = false;  ///< it agreed with the pose
+};
+
 /// The map was corrected (a loop was closed, the whole map adjusted, or the lens): how far that
 /// moved the camera in the world. Content that was placed relative to keyframes moves along; what
 /// was placed at world coordinates does not.

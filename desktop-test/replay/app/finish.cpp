@@ -39,6 +39,17 @@ std::optional<Failure> writeAll(const std::filesystem::path& folder,
   return std::nullopt;
 }
 
+std::optional<Failure> endWatchers(const Job& job, const FrameCounts& counts) {
+  std::optional<Trajectory> truth;
+  if (job.truth) truth = truthInFrame(*job.truth, RigFrame::camera, job.calibration.T_body_cam);
+  for (const auto& watcher : job.watchers) {
+    const Status status =
+        watcher->onEnd({job.run, job.trajectories, counts, job.accuracy, truth, job.output});
+    if (!status) return Failure{kUnreadableInput, status.error().message};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Failure> runFrames(Job& job) {
@@ -47,7 +58,7 @@ std::optional<Failure> runFrames(Job& job) {
   run.config = job.config;
   run.pace = job.options.pace;
   ProgressDisplay progress(job.options.progress, run.source.frames);
-  const LoopObservers observers{job.log, progress};
+  const LoopObservers observers{job.log, progress, job.watchers};
   AppInput input(job.options.input);
   const Player player{*job.session, input};
   const Status status = replayFrames(*job.source.frames, player, observers, run);
@@ -90,13 +101,16 @@ std::optional<Failure> writeOutputs(Job& job) {
   job.log.note(summary);
   (job.options.json ? std::cerr : std::cout) << summary << std::flush;
   if (job.options.json) std::cout << stats << std::flush;
-  return writeAll(job.output,
-                  {{"trajectory.tum", tumText(job.written.recomposed)},
-                   {"trajectory_live.tum", tumText(job.written.live)},
-                   {"keyframes.tum", tumText(job.written.keyframes)},
-                   {"frames.csv", framesCsv(job.run)},
-                   {"map.ply", mapPly(*job.run.map)},
-                   {"stats.json", stats}});
+  if (auto failure = writeAll(job.output,
+                              {{"trajectory.tum", tumText(job.written.recomposed)},
+                               {"trajectory_live.tum", tumText(job.written.live)},
+                               {"keyframes.tum", tumText(job.written.keyframes)},
+                               {"frames.csv", framesCsv(job.run)},
+                               {"map.ply", mapPly(*job.run.map)},
+                               {"stats.json", stats}})) {
+    return failure;
+  }
+  return endWatchers(job, counts);
 }
 
 std::optional<Failure> judgeRun(const Job& job) {

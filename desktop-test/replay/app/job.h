@@ -6,15 +6,17 @@
 #include "replay/calibration/calibration.h"
 #include "replay/evaluation/accuracy.h"
 #include "replay/evaluation/trajectory.h"
-#include "replay/outputs/run_record.h"
+#include "replay/outputs/frame_observer.h"
 #include "replay/outputs/run_trajectories.h"
 #include "replay/readers/open_source.h"
 
 #include "glide/session.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace glide::replay {
 
@@ -40,6 +42,7 @@ struct Job {
   RunTrajectories trajectories;
   Estimates written;  ///< the trajectories in the frame that --trajectory-frame asks for
   std::optional<Accuracy> accuracy;
+  std::vector<std::unique_ptr<FrameObserver>> watchers;  ///< die first: they may use the GL context
 };
 
 /// The steps of a replay in their order; each says why it cannot be done.
@@ -48,6 +51,7 @@ std::optional<Failure> openInputs(Job& job);
 std::optional<Failure> startSession(Job& job);
 std::optional<Failure> openOutput(Job& job);
 std::optional<Failure> loadMap(Job& job);
+std::optional<Failure> makeWatchers(Job& job);
 std::optional<Failure> runFrames(Job& job);
 std::optional<Failure> saveMap(Job& job);
 std::optional<Failure> evaluateRun(Job& job);

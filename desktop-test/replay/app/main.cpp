@@ -14,6 +14,7 @@ std::optional<Failure> runSteps(Job& job) {
                      startSession,
                      openOutput,
                      loadMap,
+                     makeWatchers,
                      runFrames,
                      saveMap,
                      evaluateRun,

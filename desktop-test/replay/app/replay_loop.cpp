@@ -46,6 +46,15 @@ void noteCorrection(const FrameRecord& record, RunLog& log) {
                   frame.correction->scale));
 }
 
+Status showTo(const std::vector<std::unique_ptr<FrameObserver>>& watchers,
+              const FrameMoment& moment) {
+  for (const auto& watcher : watchers) {
+    const Status status = watcher->onFrame(moment);
+    if (!status) return status;
+  }
+  return Unit{};
+}
+
 }  // namespace
 
 Status replayFrames(FrameSource& source,
@@ -67,6 +76,8 @@ Status replayFrames(FrameSource& source,
     noteCorrection(record, observers.log);
     state = record.result.state;
     observers.progress.show(record);
+    const Status watched = showTo(observers.watchers, {record, fed->frame, player.session});
+    if (!watched) return watched;
   }
   observers.progress.finish();
   player.session.waitForMapping();

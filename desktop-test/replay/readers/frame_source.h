@@ -49,11 +49,18 @@ struct SourceInfo {
   int height = 0;    ///< px
 };
 
-/// One decoded 8-bit gray frame.
+/// Red, green, blue bytes, no padding between rows.
+struct ColorImage {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// One decoded frame.
 struct SourceFrame {
   std::int64_t t_ns = 0;
   std::string name;
-  ImageU8 image;
+  ImageU8 image;     ///< 8-bit gray: what is tracked
+  ColorImage color;  ///< the same in colour; empty when the source has none
 };
 
 /// A sequence of frames with strictly increasing timestamps. One thread at a time.

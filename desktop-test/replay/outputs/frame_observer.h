@@ -1,0 +1,43 @@
+#pragma once
+
+#include "replay/evaluation/accuracy.h"
+#include "replay/outputs/run_record.h"
+#include "replay/outputs/run_trajectories.h"
+#include "replay/outputs/statistics.h"
+
+#include "glide/result.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace glide::replay {
+
+/// A frame right after the session's answer to it.
+struct FrameMoment {
+  const FrameRecord& record;
+  const SourceFrame& frame;
+  const Session& session;
+};
+
+/// A replay at its end, everything computed.
+struct FinishedRun {
+  const RunRecord& run;
+  const RunTrajectories& trajectories;
+  const FrameCounts& counts;
+  const std::optional<Accuracy>& accuracy;
+  const std::optional<Trajectory>& truth;  ///< of the camera, metres
+  std::filesystem::path output;            ///< folder
+};
+
+/// Something that looks at a replay while it runs, to make a picture, a video or a file of it.
+/// Lives on the thread of the replay, within the life of its GL context.
+class FrameObserver {
+ public:
+  virtual ~FrameObserver() = default;
+  /// An error ends the replay.
+  virtual Status onFrame(const FrameMoment& moment) = 0;
+  /// Called once, after the last frame, also when the replay was interrupted.
+  virtual Status onEnd(const FinishedRun& finished) = 0;
+};
+
+}  // namespace glide::replay
