@@ -59,8 +59,8 @@ struct ColorImage {
 struct SourceFrame {
   std::int64_t t_ns = 0;
   std::string name;
-  ImageU8 image;     ///< 8-bit gray: what is tracked
-  ColorImage color;  ///< the same in colour; empty when the source has none
+  ImageU8 image;       ///< 8-bit gray: what is tracked
+  ColorImage color{};  ///< the same in colour; empty when the source has none
 };
 
 /// A sequence of frames with strictly increasing timestamps. One thread at a time.
