@@ -9,6 +9,9 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc PATH_SUFFIXES sdk/native/jn
 find_package(Ceres REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
+if(GLIDE_GLES)
+  find_package(glm REQUIRED)
+endif()
 
 # Highway's own package names its target differently from version to version.
 find_library(GLIDE_HWY_LIBRARY hwy REQUIRED)
