@@ -32,9 +32,10 @@ void addInputs(CLI::App& app, Raw& raw) {
       ->type_name("");
   app.add_option("-c,--calibration",
                  options.calibration,
-                 "EuRoC, Kalibr, ORB-SLAM, stella or own YAML, or a preset\n"
-                 "freiburg1|2|3 (default: what lies beside the source)")
-      ->type_name("FILE|PRESET");
+                 "EuRoC, Kalibr, ORB-SLAM, stella or own YAML, a preset\n"
+                 "freiburg1|2|3, or fov:DEG, the field of view along the\n"
+                 "longer side (default: what lies beside the source)")
+      ->type_name("FILE|PRESET|fov:DEG");
   app.add_option("--gt", options.groundtruth, "ground truth, TUM text or EuRoC csv")
       ->type_name("FILE");
   app.add_option("--start", options.selection.start_s, "seconds to skip at the start")

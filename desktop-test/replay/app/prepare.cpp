@@ -1,5 +1,6 @@
 #include "replay/app/config_io.h"
 #include "replay/app/job.h"
+#include "replay/calibration/field_of_view.h"
 #include "replay/common/text.h"
 
 #include "base/stopwatch.h"
@@ -52,14 +53,19 @@ std::optional<Failure> openCalibration(Job& job) {
   const std::string& asked = job.options.calibration;
   const std::string origin = asked.empty() ? job.source.calibration : asked;
   if (!origin.empty()) {
-    Result<Calibration> calibration = loadCalibration(origin);
+    const SourceInfo& info = job.source.frames->info();
+    Result<Calibration> calibration = isFieldOfView(origin)
+                                          ? calibrationOfField(origin, info.width, info.height)
+                                          : loadCalibration(origin);
     if (!calibration) return unreadable(calibration.error());
     job.calibration = std::move(calibration).value();
   } else if (job.config.camera.fx > 0.0) {
     job.calibration.camera = job.config.camera;
     job.calibration.origin = "the config";
   } else {
-    return usage("no calibration lies beside the source: give one with -c FILE or a preset name");
+    return usage(
+        "no calibration lies beside the source: give one with -c FILE, a preset "
+        "name, or -c fov:DEG for a first look (docs/calibration.md)");
   }
   if (auto failure = fitSize(job.source.frames->info(), job.calibration)) return failure;
   job.config.camera = job.calibration.camera;

@@ -76,7 +76,8 @@ Result<Calibration> loadCalibration(const std::string& file_or_preset) {
   if (const auto preset = calibrationPreset(file_or_preset)) return *preset;
   if (!std::filesystem::exists(file_or_preset)) {
     return errorIn(file_or_preset,
-                   "is neither a calibration file nor a preset (freiburg1, freiburg2, freiburg3)");
+                   "is neither a calibration file, nor a preset (freiburg1, freiburg2, freiburg3), "
+                   "nor a field of view (fov:69)");
   }
   Result<YamlReader> yaml = YamlReader::open(file_or_preset);
   if (!yaml) return yaml.error();
