@@ -40,13 +40,14 @@ aar_libraries() {
   if [ -z "${ANDROID_NDK_HOME:-}" ]; then
     say "ANDROID_NDK_HOME is not set: the desktop's library takes the place of Android's, as ABI test-desktop"
     build release glide_jni || return
+    [ -e "$root/build/release/jni/libglide_jni.so" ] || die "there is no libglide_jni.so: it takes a JDK (javac) to build it"
     strip --strip-unneeded -o "$out/test-desktop.so" "$root/build/release/jni/libglide_jni.so" || return
     echo "test-desktop=$out/test-desktop.so"
     return
   fi
   for preset in android-arm64 android-x86_64; do
     case "$preset" in *arm64) abi=arm64-v8a ;; *) abi=x86_64 ;; esac
-    build "$preset" glide_jni || return
+    build "$preset" glide || return
     strip="$(find "$ANDROID_NDK_HOME/toolchains" -name llvm-strip -print -quit)"
     "$strip" --strip-unneeded -o "$out/$abi.so" "$root/build/$preset/jni/libglide_jni.so" || return
     echo "$abi=$out/$abi.so"
@@ -66,20 +67,22 @@ aar_dexer() {
 }
 
 aar_dex() {
-  local out="$1" jar platform
+  local out="$1" jar platform java
+  java="$(readlink -f "$(command -v javac)")" # its folder has java.lang, which android-all leaves out
   jar="$(aar_dexer)" || { say "no r8 to be had from $r8_url: the classes were not dexed" && return 0; }
   platform="$(find "$root/build/cache/m2" -name 'android-all-*.jar' -print -quit 2>/dev/null)"
   rm -rf "$out/dex" && mkdir -p "$out/dex"
   java -cp "$jar" com.android.tools.r8.D8 --min-api "$aar_min_sdk" ${platform:+--lib "$platform"} \
-    --output "$out/dex" "$out/classes.jar" || return
+    --lib "${java%/bin/javac}" --output "$out/dex" "$out/classes.jar" || return
   [ -s "$out/dex/classes.dex" ] || die "r8 made no classes.dex"
   say "dexed: $(stat --format %s "$out/dex/classes.dex") bytes"
 }
 
+# make_aar OUT: the archive, and what it is made of, in this folder.
 make_aar() {
-  local out="$root/out/aar" libraries=() library
+  local out="$1" libraries=() library
   setup build test || return
-  rm -rf "$out" && mkdir -p "$out"
+  mkdir -p "$out" && rm -rf "$out/java" "$out/glide-slam.aar" || return
   aar_classes "$out/java" || return
   aar_libraries "$out" >"$out/libraries" || return
   while read -r library; do libraries+=(--library "$library"); done <"$out/libraries"

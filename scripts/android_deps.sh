@@ -10,18 +10,18 @@ root="$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)"
 usage() {
   cat <<'TEXT'
 Usage: scripts/android_deps.sh TOOLCHAIN_FILE PREFIX [cmake arguments]
-Builds Eigen (headers), Highway, OpenCV (core and imgproc) and Ceres (without glog, gflags, LAPACK and SuiteSparse) as
-static libraries from Debian's source packages (130 MB, fetched once into build/cache/deps) and installs them below
-PREFIX. What is already in PREFIX stays. For Android, once per ABI:
+Builds Eigen and GLM (headers), Highway, OpenCV (core and imgproc) and Ceres (without glog, gflags, LAPACK and
+SuiteSparse) as static libraries from Debian's source packages (130 MB, fetched once into build/cache/deps) and installs
+them below PREFIX. What is already in PREFIX stays. For Android, once per ABI:
   scripts/android_deps.sh $ANDROID_NDK_HOME/build/cmake/android.toolchain.cmake build/cache/deps/arm64-v8a \
     -DANDROID_ABI=arm64-v8a -DANDROID_PLATFORM=android-26 -DANDROID_STL=c++_static
 and then GLIDE_ANDROID_DEPS=$PWD/build/cache/deps/arm64-v8a cmake --preset android-arm64 (docs/android.md).
-GLIDE_JOBS is the number of compilers that run at a time (default 1).
+GLIDE_JOBS is the number of compilers that run at a time (default: all processors).
 TEXT
 }
 
 deps="$root/build/cache/deps"
-dependencies=(eigen3 highway opencv ceres-solver) # Ceres needs Eigen's
+dependencies=(eigen3 glm highway opencv ceres-solver) # Ceres needs Eigen's
 
 # fetch_source NAME: Debian's source package, unpacked with Debian's patches. What exists is complete.
 fetch_source() {
@@ -39,6 +39,7 @@ fetch_source() {
 options_of() {
   case "$1" in
     eigen3) printf '%s\n' -DEIGEN_BUILD_DOC=OFF -DEIGEN_BUILD_PKGCONFIG=OFF ;;
+    glm) printf '%s\n' -DGLM_TEST_ENABLE=OFF ;;
     highway) printf '%s\n' -DHWY_FORCE_STATIC_LIBS=ON ;;
     opencv)
       printf '%s\n' -DBUILD_LIST=core,imgproc -DBUILD_{ZLIB,opencv_apps,PERF_TESTS,TESTS,EXAMPLES,DOCS,JAVA}=OFF \
@@ -64,7 +65,7 @@ build_dependency() {
     -DBUILD_SHARED_LIBS=OFF -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_CXX_STANDARD=17 \
     -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_C_COMPILER_LAUNCHER=ccache \
     -DCMAKE_CXX_FLAGS_RELEASE='-O2 -DNDEBUG -ffunction-sections -fdata-sections' "${options[@]}" "$@" &&
-    ninja -C "$folder" -j "${GLIDE_JOBS:-1}" install && rm -rf "$folder" && touch "$prefix/$name.installed"
+    ninja -C "$folder" -j "$(jobs)" install && rm -rf "$folder" && touch "$prefix/$name.installed"
 }
 
 case "${1:-}" in -h | --help) usage && exit ;; esac

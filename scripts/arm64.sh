@@ -60,6 +60,17 @@ arm64_gles() {
   )
 }
 
+# What an app would link and load, with all that it uses inside; the sizes are those of docs/android.md.
+arm64_libraries() {
+  local library stripped
+  build arm64 glide glide_jni || return
+  for library in core/libglide.so jni/libglide_jni.so; do
+    stripped="$root/build/arm64/$(basename "$library").stripped"
+    aarch64-linux-gnu-strip --strip-unneeded -o "$stripped" "$root/build/arm64/$library" || return
+    say "$(basename "$library") for arm64, stripped: $(stat --format %s "$stripped") bytes"
+  done
+}
+
 arm64_prepare() {
   setup mobile arm64 && mobile_prepare || return
   [ -d "$arm64_system" ] || arm64_link_system || return
@@ -70,6 +81,7 @@ arm64_prepare() {
 arm64_suites() {
   arm64_prepare || return
   suite "core as clang sees it for arm64, with libc++ 11" arm64_check_portable
+  suite "libraries for arm64" arm64_libraries
   suite "unit tests for arm64 under qemu" arm64_unit_tests
   suite "OpenGL ES for arm64 under qemu" arm64_gles
 }

@@ -20,7 +20,7 @@ android {
         externalNativeBuild {
             cmake {
                 // The C ABI is in it, too. What it links lies where scripts/android_deps.sh puts it: dependencies.cmake.
-                targets("glide_jni")
+                targets("glide")
                 arguments(
                     "-DANDROID_STL=c++_static",
                     "-DGLIDE_DESKTOP=OFF",
@@ -47,9 +47,10 @@ android {
     }
 
     prefab {
-        // Gradle names a module after its CMake target; in the archive of ./glide aar it is called glide.
-        create("glide_jni") {
+        // The name of the CMake target, and of the module in the archive of ./glide aar.
+        create("glide") {
             headers = "../../core/include"
+            libraryName = "libglide_jni"
         }
     }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails where the Gradle project contradicts itself or the rest, or where the C of docs/android.md does not compile.
 
-usage: check_android.py ROOT
+usage: check_android.py ROOT WORK
 """
 import pathlib
 import re
@@ -48,6 +48,29 @@ def activity_faults(root):
             yield f"the manifest names {activity.get(NAME)}, and there is no {source.relative_to(root)}"
 
 
+def prefab_faults(root, work):
+    """Gradle names the prefab module after a CMake target, ./glide aar by its own; the library in it is the same."""
+    gradle = (root / "android/glide/build.gradle.kts").read_text()
+    package = (root / "scripts/aar/package.py").read_text()
+    module = only(r'\nMODULE = "(\w+)"', package, "package.py's MODULE")
+    library = only(r'\nLIBRARY = "(\w+)\.so"', package, "package.py's LIBRARY")
+    if only(r'prefab \{[^}]*create\("(\w+)"\)', gradle, "Gradle's prefab module") != module:
+        yield f"Gradle's prefab module has another name than that of ./glide aar, {module}"
+    if only(r'libraryName = "(\w+)"', gradle, "Gradle's libraryName") != library:
+        yield f"Gradle's prefab library is not {library}"
+    if only(r'targets\("(\w+)"\)', gradle, "Gradle's targets") != module:
+        yield f"Gradle does not build the target {module}"
+    # As for Android, but with this machine's compiler and libraries: that is enough to see what the targets are called.
+    configured = subprocess.run(["cmake", "-S", root, "-B", work, "-G", "Ninja", "-DANDROID=ON", "-DGLIDE_DESKTOP=OFF"],
+                                capture_output=True, text=True, check=False)
+    if configured.returncode != 0:
+        yield f"cmake -DANDROID=ON fails:\n{configured.stderr}"
+        return
+    query = subprocess.run(["ninja", "-C", work, "-t", "query", module], capture_output=True, text=True, check=False)
+    if f"/{library}.so" not in query.stdout:
+        yield f"on Android the CMake target {module} is not {library}.so:\n{query.stdout}{query.stderr}"
+
+
 def document_faults(root):
     """The C of the page, against declarations of what it uses of the NDK."""
     blocks = re.findall(r"```c\n(.*?)```", (root / "docs/android.md").read_text(), re.DOTALL)
@@ -62,8 +85,8 @@ def document_faults(root):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1])
-    faults = [*version_faults(root), *activity_faults(root), *document_faults(root)]
+    root, work = map(pathlib.Path, sys.argv[1:3])
+    faults = [*version_faults(root), *activity_faults(root), *prefab_faults(root, work), *document_faults(root)]
     for fault in faults:
         print(fault)
     return 1 if faults else 0
