@@ -12,11 +12,14 @@
 namespace glide {
 
 /// A framebuffer without a window: colour (RGBA8, multisampled where the context can) and depth.
-/// For pictures and videos; reading back waits for the GPU.
+/// For pictures and videos; reading back waits for the GPU. Every call but abandonGl() is made with
+/// a context of OpenGL ES 3.1 current. Another one than before gets a framebuffer of its own, and
+/// what was drawn is gone. The state of the context stays, whatever it is, but for what begin()
+/// binds.
 class GLIDE_API RenderTarget {
  public:
-  /// invalid_argument when a side is not positive or more than the context can; resource_exhausted
-  /// when there is no memory.
+  /// invalid_argument when a side is not positive or more than the context can; gl when there is
+  /// no memory; missing_context and unsupported as GL contexts are.
   static Result<RenderTarget> create(int width, int height);
 
   RenderTarget(RenderTarget&&) noexcept;
@@ -26,10 +29,11 @@ class GLIDE_API RenderTarget {
   int width() const;
   int height() const;
 
-  /// Binds it for drawing and clears it to the colour. The app binds its own framebuffer again.
+  /// Binds it for drawing (GL_DRAW_FRAMEBUFFER) and clears it to the colour. The app binds its own
+  /// framebuffer again.
   void begin(const Color& background);
-  /// What was drawn: rows of red, green, blue bytes, the uppermost first, no padding. Binds nothing
-  /// that was not bound before.
+  /// What was drawn: rows of red, green, blue bytes, the uppermost first, no padding. What is bound
+  /// stays bound. Empty in another context than that of begin().
   std::vector<std::uint8_t> readRgb();
 
   /// The context is gone: forgets the names without a GL call.

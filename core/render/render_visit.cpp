@@ -1,0 +1,25 @@
+#include "render/render_visit.h"
+
+// ES 3.2, for the state of one draw buffer: called only in such contexts.
+#include <GLES3/gl32.h>
+
+namespace glide {
+
+RenderVisit::RenderVisit(GlHome* home, GlStatePolicy policy)
+    : visit_(home, policy), raster_(policy), state_(policy) {
+  GLuint name = 0;
+  glGenVertexArrays(1, &name);
+  glBindVertexArray(name);
+  vertices_ = GlName<deleteVertexArray>(name);
+}
+
+void setBlending(Blending blending) {
+  const bool of_each = hasStateOfEachDrawBuffer();
+  if (blending == Blending::on) {
+    of_each ? glEnablei(GL_BLEND, 0) : glEnable(GL_BLEND);
+  } else {
+    of_each ? glDisablei(GL_BLEND, 0) : glDisable(GL_BLEND);
+  }
+}
+
+}  // namespace glide

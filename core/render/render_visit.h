@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/gl_render_state.h"
+
+#include "gpu/gl_home.h"
+#include "gpu/gl_raster_state.h"
+
+namespace glide {
+
+/// One call of a renderer in the app's context: its state, the order of what contexts submit, and a
+/// vertex array of its own, bound. It draws into the framebuffer that is bound, which stays bound
+/// whatever the policy. The home is of the context.
+class RenderVisit {
+ public:
+  RenderVisit(GlHome* home, GlStatePolicy policy);
+
+ private:
+  GlVisit visit_;
+  ScopedState<GlRasterState> raster_;
+  ScopedRenderState state_;
+  GlName<deleteVertexArray> vertices_;
+};
+
+/// glEnable or glDisable (GL_BLEND) of draw buffer 0.
+enum class Blending { off, on };
+void setBlending(Blending blending);
+
+}  // namespace glide
