@@ -37,6 +37,15 @@ std::optional<Evaluation> LevelEvaluator::evaluate(const LevelPair& pair, AlignS
   return weigh(pair.level, state);
 }
 
+std::span<const LevelEvaluator::Sample> LevelEvaluator::compare(const LevelPair& pair,
+                                                                const AlignState& state) {
+  findVisible(pair, state.T_cam_ref);
+  sums_.resize(samples_.size());
+  sumPatches(pair.image, layout_, probes_, sums_.data());
+  computeResiduals(pair.level, state);
+  return samples_;
+}
+
 void LevelEvaluator::findVisible(const LevelPair& pair, const SE3d& T_cam_ref) {
   const Mat3d R_cam_ref = T_cam_ref.rotation();
   const int half = layout_.size / 2;

@@ -9,6 +9,7 @@
 #include "glide/config.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace glide {
@@ -48,7 +49,6 @@ class LevelEvaluator {
   /// state as it was, when fewer than min_points points are visible.
   std::optional<Evaluation> evaluate(const LevelPair& pair, AlignState* state);
 
- private:
   /// A visible point of the level.
   struct Sample {
     std::size_t slot = 0;   ///< in the level
@@ -56,7 +56,11 @@ class LevelEvaluator {
     double rho = 0.0;       ///< patch error, grey levels
     double gx_r = 0.0, gy_r = 0.0;
   };
+  /// The visible points at the state's pose, gain and bias, compared with the frame; valid until
+  /// the next call.
+  std::span<const Sample> compare(const LevelPair& pair, const AlignState& state);
 
+ private:
   void findVisible(const LevelPair& pair, const SE3d& T_cam_ref);
   void estimateExposure(const ReferenceLevel& level, AlignState* state) const;
   void computeResiduals(const ReferenceLevel& level, const AlignState& state);

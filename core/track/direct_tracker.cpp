@@ -13,21 +13,12 @@ namespace {
 // What is usual is forgotten within a second or so: halved after seven frames.
 constexpr double kSurpriseDecay = 0.9;
 
-/// Landmarks of the frame in its own camera frame, at most `max_points`, evenly thinned.
-void collectPoints(const Frame& frame,
-                   const TrackedFrame& tracked,
-                   int max_points,
-                   std::vector<AlignPoint>* points) {
-  points->clear();
-  for (const LandmarkId id : tracked.landmarks) {
-    if (id == kNoLandmark) continue;
-    const MapSnapshot::LandmarkEntry* landmark = frame.map->landmark(id);
-    if (landmark != nullptr) points->push_back({tracked.T_cam_world * landmark->p_world});
-  }
-  const std::size_t wanted = static_cast<std::size_t>(max_points);
-  if (points->size() <= wanted) return;
-  for (std::size_t i = 0; i < wanted; ++i) (*points)[i] = (*points)[i * points->size() / wanted];
-  points->resize(wanted);
+/// Leaves at most `most` values, evenly spread.
+template <class T>
+void thin(std::size_t most, std::vector<T>* values) {
+  if (values->size() <= most) return;
+  for (std::size_t i = 0; i < most; ++i) (*values)[i] = (*values)[i * values->size() / most];
+  values->resize(most);
 }
 
 double medianDepth(const std::vector<AlignPoint>& points) {
@@ -73,7 +64,8 @@ TrackedFrame DirectTracker::track(const Frame& frame,
   const SE3d T_ref_world = reference_->pose.T_cam_world(*frame.map);
   SE3d T_cam_ref_guess = T_cam_world_guess * T_ref_world.inverse();
   T_cam_ref_guess.t /= reference_->pose.growth(*frame.map);  // the reference keeps its unit
-  const AlignResult align = aligner_->align(T_cam_ref_guess);
+  alignment_ = aligner_->align(T_cam_ref_guess);
+  const AlignResult& align = alignment_;
   if (align.valid) tracked = makeTracked(align, *frame.map);
   const double surprise =
       distanceBetween(align.T_cam_ref, T_cam_ref_guess, reference_->median_depth);
@@ -113,8 +105,22 @@ TrackedFrame DirectTracker::makeTracked(const AlignResult& align, const MapSnaps
   return tracked;
 }
 
+void DirectTracker::collectPoints(const Frame& frame, const TrackedFrame& tracked) {
+  points_.clear();
+  landmarks_.clear();
+  for (const LandmarkId id : tracked.landmarks) {
+    if (id == kNoLandmark) continue;
+    const MapSnapshot::LandmarkEntry* landmark = frame.map->landmark(id);
+    if (landmark == nullptr) continue;
+    points_.push_back({tracked.T_cam_world * landmark->p_world});
+    landmarks_.push_back(id);
+  }
+  thin(static_cast<std::size_t>(config_.max_points), &points_);
+  thin(static_cast<std::size_t>(config_.max_points), &landmarks_);
+}
+
 double DirectTracker::refreshReference(const Frame& frame, const TrackedFrame& tracked) {
-  collectPoints(frame, tracked, config_.max_points, &points_);
+  collectPoints(frame, tracked);
   reference_.reset();
   const bool is_enough = static_cast<int>(points_.size()) >= config_.min_points;
   if (!is_frame_loaded_ || !is_enough) return 0.0;

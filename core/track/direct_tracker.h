@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace glide {
@@ -28,6 +29,12 @@ class DirectTracker {
 
   void dropReference() { reference_.reset(); }
 
+  /// What refreshReference made the reference last: its points, and their landmarks one for one.
+  std::span<const AlignPoint> referencePoints() const { return points_; }
+  std::span<const LandmarkId> referenceLandmarks() const { return landmarks_; }
+  /// What aligning the frame tracked last gave; means nothing unless that was ok.
+  const AlignResult& alignment() const { return alignment_; }
+
   /// Whether track() has an aligner that can go on (Aligner::isUsable).
   bool isUsable() const { return aligner_ != nullptr && aligner_->isUsable(); }
   /// Goes on with another aligner; there is no reference until refreshReference.
@@ -45,14 +52,18 @@ class DirectTracker {
     double last_rms = 0.0;  ///< of the last accepted frame
   };
 
+  /// Landmarks of the frame in its own camera frame, at most Config::Direct::max_points.
+  void collectPoints(const Frame& frame, const TrackedFrame& tracked);
   TrackedFrame makeTracked(const AlignResult& align, const MapSnapshot& map) const;
 
   Config::Direct config_;
   std::unique_ptr<Aligner> aligner_;
   std::optional<Reference> reference_;
-  double usual_surprise_ = 0.0;     ///< DirectEvidence::usual_surprise
-  bool is_frame_loaded_ = false;    ///< the aligner took the frame that was tracked last
-  std::vector<AlignPoint> points_;  ///< scratch
+  double usual_surprise_ = 0.0;   ///< DirectEvidence::usual_surprise
+  bool is_frame_loaded_ = false;  ///< the aligner took the frame that was tracked last
+  std::vector<AlignPoint> points_;
+  std::vector<LandmarkId> landmarks_;  ///< of points_
+  AlignResult alignment_;
 };
 
 }  // namespace glide

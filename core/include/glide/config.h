@@ -53,6 +53,12 @@ enum class CalibrationRefinement {
   off,  ///< The calibration is used as given.
 };
 
+/// Whether Session::trackedPoints is filled.
+enum class ReportPoints {
+  off,  ///< It stays empty and costs nothing.
+  on,   ///< Each direct frame is compared with its reference once more, on the CPU.
+};
+
 /// What a call does to the GL state of the app's context (docs/gl-contract.md).
 enum class GlStatePolicy {
   preserve,  ///< Every piece of state is put back as it was found.
@@ -88,6 +94,7 @@ struct Config {
   TrackerMode tracker = TrackerMode::hybrid;
   Execution execution = Execution::threaded;
   SessionMode mode = SessionMode::slam;
+  ReportPoints tracked_points = ReportPoints::off;
 
   /// The photometric tracker of tween frames.
   struct Direct {

@@ -35,6 +35,7 @@ void visitModes(ConfigT& config, Visitor& visit) {
   visit(FieldInfo{"tracker", ""}, config.tracker);
   visit(FieldInfo{"execution", ""}, config.execution);
   visit(FieldInfo{"mode", ""}, config.mode);
+  visit(FieldInfo{"tracked_points", ""}, config.tracked_points);
 }
 
 template <class ConfigT, class Visitor>
