@@ -1,5 +1,6 @@
 #include "replay/app/job.h"
 #include "replay/app/replay_loop.h"
+#include "replay/common/terminal.h"
 #include "replay/common/text.h"
 #include "replay/evaluation/evaluate.h"
 #include "replay/outputs/frames_csv.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <unistd.h>
 #include <utility>
 
 namespace glide::replay {
@@ -50,6 +52,24 @@ std::optional<Failure> endWatchers(const Job& job, const FrameCounts& counts) {
   return std::nullopt;
 }
 
+/// When it returns, the progress bar has ended, and signals end the program again.
+Status playFrames(Job& job) {
+  ProgressDisplay progress(job.options.progress, job.run.source.frames);
+  const LoopObservers observers{job.log, progress, job.watchers};
+  AppInput input(job.options.input);
+  const Player player{*job.session, input};
+  const Interrupt interrupt;
+  FrameFeed feed(*job.source.frames, job.run.pace, interrupt);
+  return replayFrames(feed, player, observers, job.run);
+}
+
+/// "120 of 320 frames", or "120 frames" of a source that does not know its end.
+std::string framesDone(const RunRecord& run) {
+  const int total = run.source.frames;
+  return fmt::format(
+      "{}{} frames", run.frames.size(), total > 0 ? fmt::format(" of {}", total) : "");
+}
+
 }  // namespace
 
 std::optional<Failure> runFrames(Job& job) {
@@ -57,15 +77,17 @@ std::optional<Failure> runFrames(Job& job) {
   run.source = job.source.frames->info();
   run.config = job.config;
   run.pace = job.options.pace;
-  ProgressDisplay progress(job.options.progress, run.source.frames);
-  const LoopObservers observers{job.log, progress, job.watchers};
-  AppInput input(job.options.input);
-  const Player player{*job.session, input};
-  const Status status = replayFrames(*job.source.frames, player, observers, run);
+  const Status status = playFrames(job);
   if (!status && status.error().code == ErrorCode::unsupported)
     return Failure{kNoGl, status.error().message};
   if (!status)
     return Failure{kUnreadableInput, "the session refused a frame: " + status.error().message};
+  if (run.interrupted) {
+    job.log.say(fmt::format(
+        "interrupted after {}: writing what was tracked so far (Ctrl-C again ends at once)",
+        framesDone(run)));
+  }
+  run.skips = job.source.frames->skips().skips();
   for (const Skip& skip : run.skips) job.log.note(describe(skip, run.source.listed));
   return std::nullopt;
 }
@@ -97,9 +119,10 @@ std::optional<Failure> evaluateRun(Job& job) {
 std::optional<Failure> writeOutputs(Job& job) {
   const FrameCounts counts = countFrames(job.run, job.trajectories);
   const std::string stats = jsonText(statsJson(job.run, counts, job.accuracy));
-  const std::string summary = summaryText({job.run, counts, job.accuracy, job.output});
-  job.log.note(summary);
-  (job.options.json ? std::cerr : std::cout) << summary << std::flush;
+  const bool has_color = terminalOf(job.options.json ? STDERR_FILENO : STDOUT_FILENO).has_color;
+  job.log.note(summaryText({job.run, counts, job.accuracy, job.output, false}));
+  (job.options.json ? std::cerr : std::cout)
+      << summaryText({job.run, counts, job.accuracy, job.output, has_color}) << std::flush;
   if (job.options.json) std::cout << stats << std::flush;
   if (auto failure = writeAll(job.output,
                               {{"trajectory.tum", tumText(job.written.recomposed)},
@@ -114,6 +137,13 @@ std::optional<Failure> writeOutputs(Job& job) {
 }
 
 std::optional<Failure> judgeRun(const Job& job) {
+  if (job.run.interrupted) {
+    return Failure{
+        kInterrupted,
+        fmt::format("interrupted after {}; the files in {} hold what was tracked until then",
+                    framesDone(job.run),
+                    job.output.string())};
+  }
   const FrameCounts counts = countFrames(job.run, job.trajectories);
   if (counts.in == 0) return Failure{kUnreadableInput, "no frame could be read"};
   if (!counts.first_pose_index) {

@@ -1,12 +1,17 @@
 #include "replay/app/frame_feed.h"
 
-#include <thread>
 #include <utility>
 
 namespace glide::replay {
 
 std::optional<FedFrame> FrameFeed::next() {
-  if (pace_ == Pace::realtime) return nextDue();
+  std::optional<FedFrame> fed;
+  if (!interrupt_.isAsked()) fed = pace_ == Pace::realtime ? nextDue() : nextAtOnce();
+  was_interrupted_ = interrupt_.isAsked() && !fed;
+  return fed;
+}
+
+std::optional<FedFrame> FrameFeed::nextAtOnce() {
   std::optional<SourceFrame> frame = source_.next();
   if (!frame) return std::nullopt;
   return FedFrame{next_index_++, std::move(*frame)};
@@ -26,7 +31,8 @@ std::optional<FedFrame> FrameFeed::nextDue() {
     due_at = due(frame);
     waiting_ = takeAhead();
   }
-  std::this_thread::sleep_until(due_at);
+  interrupt_.waitUntil(due_at);
+  if (interrupt_.isAsked()) return std::nullopt;
   return FedFrame{next_index_++, std::move(frame)};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "replay/app/interrupt.h"
 #include "replay/outputs/run_record.h"
 #include "replay/readers/frame_source.h"
 
@@ -22,20 +23,27 @@ struct FedFrame {
 /// that keeps only the newest image would.
 class FrameFeed {
  public:
-  FrameFeed(FrameSource& source, Pace pace) : source_(source), pace_(pace) {}
+  FrameFeed(FrameSource& source, Pace pace, const Interrupt& interrupt)
+      : source_(source), pace_(pace), interrupt_(interrupt) {}
 
+  /// Nothing at the end of the source, and when the program is interrupted.
   std::optional<FedFrame> next();
   int dropped() const { return dropped_; }
+  /// Whether there might have been more frames.
+  bool wasInterrupted() const { return was_interrupted_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  std::optional<FedFrame> nextAtOnce();
   std::optional<FedFrame> nextDue();
   std::optional<SourceFrame> takeAhead();
   Clock::time_point due(const SourceFrame& frame);
 
   FrameSource& source_;
   const Pace pace_;
+  const Interrupt& interrupt_;
+  bool was_interrupted_ = false;
   int next_index_ = 0;
   int dropped_ = 0;
   bool is_started_ = false;

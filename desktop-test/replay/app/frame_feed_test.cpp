@@ -1,10 +1,10 @@
 #include "replay/app/frame_feed.h"
 
-#include "replay/app/progress_display.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <thread>
 #include <vector>
 
 namespace glide::replay {
@@ -30,30 +30,35 @@ class ListedSource : public FrameSource {
   SkipList skips_;
 };
 
+class FrameFeedTest : public testing::Test {
+ protected:
+  const Interrupt interrupt_;
+};
+
 std::vector<int> indices(FrameFeed& feed) {
   std::vector<int> result;
   while (const auto fed = feed.next()) result.push_back(fed->index);
   return result;
 }
 
-TEST(FrameFeed, LosslessGivesEveryFrame) {
+TEST_F(FrameFeedTest, LosslessGivesEveryFrame) {
   ListedSource source({0, 1, 2, 3});
-  FrameFeed feed(source, Pace::lossless);
+  FrameFeed feed(source, Pace::lossless, interrupt_);
   EXPECT_THAT(indices(feed), testing::ElementsAre(0, 1, 2, 3));
   EXPECT_EQ(feed.dropped(), 0);
 }
 
-TEST(FrameFeed, RealtimeDropsFramesWhoseSuccessorIsAlreadyDue) {
+TEST_F(FrameFeedTest, RealtimeDropsFramesWhoseSuccessorIsAlreadyDue) {
   ListedSource source({0, 1, 2, 3});  // a nanosecond apart: all due at once
-  FrameFeed feed(source, Pace::realtime);
+  FrameFeed feed(source, Pace::realtime, interrupt_);
   EXPECT_THAT(indices(feed), testing::ElementsAre(3));
   EXPECT_EQ(feed.dropped(), 3);
 }
 
-TEST(FrameFeed, RealtimeWaitsUntilAFrameIsDue) {
+TEST_F(FrameFeedTest, RealtimeWaitsUntilAFrameIsDue) {
   constexpr std::int64_t kStep = 30'000'000;
   ListedSource source({5 * kStep, 6 * kStep});
-  FrameFeed feed(source, Pace::realtime);
+  FrameFeed feed(source, Pace::realtime, interrupt_);
   const auto start = std::chrono::steady_clock::now();
   EXPECT_TRUE(feed.next().has_value());
   EXPECT_TRUE(feed.next().has_value());
@@ -62,20 +67,31 @@ TEST(FrameFeed, RealtimeWaitsUntilAFrameIsDue) {
   EXPECT_FALSE(feed.next().has_value());
 }
 
-TEST(FrameFeed, RealtimeEndsAtOnceWithoutFrames) {
+TEST_F(FrameFeedTest, RealtimeEndsAtOnceWithoutFrames) {
   ListedSource source({});
-  FrameFeed feed(source, Pace::realtime);
+  FrameFeed feed(source, Pace::realtime, interrupt_);
   EXPECT_FALSE(feed.next().has_value());
 }
 
-TEST(Progress, ShowsABarOnlyWhenTheEndIsKnown) {
-  ProgressView view{50, 100, 40, 45, 2.0, TrackingState::tracking};
-  const std::string bar = progressBar(view);
-  EXPECT_THAT(bar, testing::StartsWith("[===============>"));
-  EXPECT_THAT(bar, testing::HasSubstr("50/100 frames  25.0 fps  tracking"));
-  EXPECT_THAT(bar, testing::HasSubstr("direct 89 %"));
-  view.total = 0;
-  EXPECT_THAT(progressBar(view), testing::StartsWith("50 frames"));
+TEST_F(FrameFeedTest, EndsWhenItIsInterrupted) {
+  ListedSource lossless({0, 1, 2});
+  FrameFeed feed(lossless, Pace::lossless, interrupt_);
+  EXPECT_TRUE(feed.next().has_value());
+  EXPECT_FALSE(feed.wasInterrupted());
+  std::raise(SIGINT);
+  EXPECT_FALSE(feed.next().has_value());
+  EXPECT_TRUE(feed.wasInterrupted());
+}
+
+TEST_F(FrameFeedTest, EndsWhenItIsInterruptedWhileItWaitsForAFrame) {
+  constexpr std::int64_t kHour = 3'600'000'000'000;
+  ListedSource source({0, kHour});
+  FrameFeed feed(source, Pace::realtime, interrupt_);
+  EXPECT_TRUE(feed.next().has_value());
+  std::thread person([] { std::raise(SIGTERM); });
+  EXPECT_FALSE(feed.next().has_value());
+  EXPECT_TRUE(feed.wasInterrupted());
+  person.join();
 }
 
 }  // namespace

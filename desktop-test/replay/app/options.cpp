@@ -165,7 +165,8 @@ Options toOptions(Raw raw) {
 
 constexpr const char* kFooter =
     "Exit status: 0 ok, 1 usage, 2 unreadable input, 3 GL asked for and unavailable,\n"
-    "4 never initialised, 5 below --require-tracked.";
+    "4 never initialised, 5 below --require-tracked, 130 interrupted: Ctrl-C ends a replay after\n"
+    "the current frame and writes what was tracked so far; a second one ends it at once.";
 
 }  // namespace
 

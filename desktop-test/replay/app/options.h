@@ -45,6 +45,7 @@ enum ExitCode : int {
   kNoGl = 3,
   kNeverInitialised = 4,
   kTrackedTooLittle = 5,
+  kInterrupted = 130,  ///< as a shell says of a program that Ctrl-C ended: 128 + SIGINT
 };
 
 /// The options, or the exit code when the process should end now (help, version, usage error; the

@@ -1,6 +1,5 @@
 #include "replay/app/replay_loop.h"
 
-#include "replay/app/frame_feed.h"
 #include "replay/common/text.h"
 
 #include "base/stopwatch.h"
@@ -57,12 +56,11 @@ Status showTo(const std::vector<std::unique_ptr<FrameObserver>>& watchers,
 
 }  // namespace
 
-Status replayFrames(FrameSource& source,
+Status replayFrames(FrameFeed& feed,
                     const Player& player,
                     const LoopObservers& observers,
                     RunRecord& run) {
   Stopwatch wall;
-  FrameFeed feed(source, run.pace);
   TrackingState state = TrackingState::initializing;
   while (const std::optional<FedFrame> fed = feed.next()) {
     const Result<FrameInput> input = player.input.make(fed->frame.t_ns, fed->frame.image);
@@ -75,16 +73,15 @@ Status replayFrames(FrameSource& source,
     noteStateChange(record, state, observers.log);
     noteCorrection(record, observers.log);
     state = record.result.state;
-    observers.progress.show(record);
+    observers.progress.show(record, player.session);
     const Status watched = showTo(observers.watchers, {record, fed->frame, player.session});
     if (!watched) return watched;
   }
-  observers.progress.finish();
   player.session.waitForMapping();
   run.wall_s = wall.lapMs() * 1e-3;
   run.dropped = feed.dropped();
+  run.interrupted = feed.wasInterrupted();
   run.map = player.session.map();
-  run.skips = source.skips().skips();
   return Unit{};
 }
 

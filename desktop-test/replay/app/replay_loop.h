@@ -1,10 +1,10 @@
 #pragma once
 
 #include "replay/app/app_input.h"
+#include "replay/app/frame_feed.h"
 #include "replay/app/progress_display.h"
 #include "replay/app/run_log.h"
 #include "replay/outputs/frame_observer.h"
-#include "replay/readers/frame_source.h"
 
 #include "glide/result.h"
 #include "glide/session.h"
@@ -27,10 +27,10 @@ struct LoopObservers {
   const std::vector<std::unique_ptr<FrameObserver>>& watchers;
 };
 
-/// Feeds every frame of the source to the session at run.pace and fills run.frames, dropped, map,
-/// skips and wall_s. An error when a watcher has one, the GL has no such input, and when the
-/// session refuses a frame, which is a bug or a full memory.
-Status replayFrames(FrameSource& source,
+/// Gives every frame of the feed to the session and fills run.frames, dropped, interrupted, map and
+/// wall_s. An error when a watcher has one, the GL has no such input, and when the session refuses
+/// a frame, which is a bug or a full memory.
+Status replayFrames(FrameFeed& feed,
                     const Player& player,
                     const LoopObservers& observers,
                     RunRecord& run);

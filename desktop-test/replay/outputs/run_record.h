@@ -28,6 +28,7 @@ struct RunRecord {
   Pace pace = Pace::lossless;
   std::vector<FrameRecord> frames;
   int dropped = 0;  ///< frames that came while the tracker was busy (realtime only)
+  bool interrupted = false;  ///< ended by a signal before the source did
   BackendInfo backend;
   std::shared_ptr<const MapView> map;  ///< at the end, everything mapped; never null
   std::size_t map_file_bytes = 0;      ///< of that map, when it is saved; 0 when there is none

@@ -164,6 +164,7 @@ Json statsJson(const RunRecord& run,
   stats["accuracy"] = accuracyJson(accuracy);
   stats["pace"] = run.pace == Pace::lossless ? "lossless" : "realtime";
   stats["deterministic"] = run.config.execution == Execution::inline_;
+  stats["interrupted"] = run.interrupted;
   stats["memory"] = {{"peak_rss_mb", peakRssMb()}, {"map_mb", mapMb(run)}};
   stats["startup_ms"] = run.startup_ms;
   stats["wall_s"] = run.wall_s;

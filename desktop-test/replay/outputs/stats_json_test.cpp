@@ -73,6 +73,7 @@ const std::vector<std::string> kSchemaKeys = {"/schema",
                                               "/accuracy",
                                               "/pace",
                                               "/deterministic",
+                                              "/interrupted",
                                               "/memory/peak_rss_mb",
                                               "/memory/map_mb",
                                               "/startup_ms",
@@ -111,7 +112,7 @@ TEST(StatsJson, TellsWhatTheMapFoundOutAboutTheLens) {
   fixture.map().corrected_camera->coefficients = {0.0175, 0.0, 0.0, 0.0, 0.0};
   EXPECT_EQ(statsOf(fixture, std::nullopt)["map"]["corrected_k1"], 0.0175);
   const FrameCounts counts = countFrames(fixture.run, buildTrajectories(fixture.run));
-  EXPECT_THAT(summaryText({fixture.run, counts, std::nullopt, "out"}),
+  EXPECT_THAT(summaryText({fixture.run, counts, std::nullopt, "out", false}),
               HasSubstr("k1 corrected from 0.0000 to 0.0175"));
 }
 
@@ -158,6 +159,7 @@ TEST(StatsJson, SaysWhereAndHowItRan) {
   EXPECT_EQ(stats["gpu"]["renderer"], "llvmpipe");
   EXPECT_EQ(stats["gpu"]["timer"], "sync");
   EXPECT_EQ(stats["deterministic"], true);
+  EXPECT_EQ(stats["interrupted"], false);
   EXPECT_EQ(stats["pace"], "realtime");
 }
 
@@ -178,7 +180,7 @@ TEST(Summary, TellsWhatCountsWithoutPromisingMore) {
   const FrameCounts counts = countFrames(fixture.run, buildTrajectories(fixture.run));
   std::optional<Accuracy> accuracy = Accuracy{};
   accuracy->final_error = AbsoluteError{0.00451, 0.0124, 1.0};
-  const std::string text = summaryText({fixture.run, counts, accuracy, "out/desk"});
+  const std::string text = summaryText({fixture.run, counts, accuracy, "out/desk", false});
   for (const char* part : {"desk  640x480",
                            "3 in: 2 tracked",
                            "100.0 %",
@@ -192,13 +194,23 @@ TEST(Summary, TellsWhatCountsWithoutPromisingMore) {
   }
 }
 
+TEST(Summary, PaintsTheTrackersAndTheLoss) {
+  RunFixture fixture = shortRun();
+  fixture.addLost();
+  const FrameCounts counts = countFrames(fixture.run, buildTrajectories(fixture.run));
+  const std::string text = summaryText({fixture.run, counts, std::nullopt, "out", true});
+  EXPECT_THAT(text, HasSubstr("\x1b[38;5;208m1 direct\x1b[0m"));
+  EXPECT_THAT(text, HasSubstr("\x1b[38;5;33m1 indirect\x1b[0m"));
+  EXPECT_THAT(text, HasSubstr("\x1b[1;31m1 lost\x1b[0m"));
+}
+
 TEST(Summary, SaysWhyThereIsNoMap) {
   RunFixture fixture;
   fixture.addInitializing();
   fixture.run.frames[0].result.initialization.status = InitializationStatus::too_little_motion;
   fixture.run.skips = {{"images are empty files", 2, "a.png"}};
   const FrameCounts counts = countFrames(fixture.run, buildTrajectories(fixture.run));
-  const std::string text = summaryText({fixture.run, counts, std::nullopt, "out"});
+  const std::string text = summaryText({fixture.run, counts, std::nullopt, "out", false});
   EXPECT_THAT(text, HasSubstr("never initialised: too little motion"));
   EXPECT_THAT(text, HasSubstr("2 of 6 images are empty files (first: a.png)"));
 }

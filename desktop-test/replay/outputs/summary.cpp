@@ -1,5 +1,7 @@
 #include "replay/outputs/summary.h"
 
+#include "replay/common/terminal.h"
+
 #include "glide/enum_names.h"
 
 #include <fmt/format.h>
@@ -7,11 +9,23 @@
 namespace glide::replay {
 namespace {
 
+/// Text in a colour, where colours are wanted.
+class Painter {
+ public:
+  explicit Painter(bool has_color) : has_color_(has_color) {}
+  std::string operator()(std::string_view text, Ink ink) const {
+    return InkedText(has_color_).add(text, ink).text();
+  }
+
+ private:
+  const bool has_color_;
+};
+
 std::string row(const std::string& label, const std::string& text) {
   return fmt::format("  {:<14} {}\n", label, text);
 }
 
-std::string header(const RunRecord& run) {
+std::string header(const RunRecord& run, const Painter& painted) {
   const Config& config = run.config;
   const std::string& renderer = run.backend.renderer;
   std::string tracker(enumName(config.tracker));
@@ -23,7 +37,7 @@ std::string header(const RunRecord& run) {
                            config.direct.levels);
   }
   return fmt::format("\n{}  {}x{}  |  {}  |  {}, {}\n\n",
-                     run.source.name,
+                     painted(run.source.name, Ink::strong),
                      run.source.width,
                      run.source.height,
                      tracker,
@@ -31,28 +45,31 @@ std::string header(const RunRecord& run) {
                      run.pace == Pace::lossless ? "lossless" : "realtime");
 }
 
-std::string frameRows(const RunRecord& run, const FrameCounts& counts) {
+std::string frameRows(const RunRecord& run, const FrameCounts& counts, const Painter& painted) {
   std::string text = row(
       "frames",
-      fmt::format("{} in: {} tracked, {} lost, {} initialising{}",
-                  counts.in,
-                  counts.tracked,
-                  counts.lost,
-                  counts.initializing,
-                  run.pace == Pace::realtime ? fmt::format("; {} dropped", counts.dropped) : ""));
+      fmt::format(
+          "{} in: {} tracked, {}, {} initialising{}",
+          counts.in,
+          counts.tracked,
+          painted(fmt::format("{} lost", counts.lost), counts.lost > 0 ? Ink::alarm : Ink::plain),
+          counts.initializing,
+          run.pace == Pace::realtime ? fmt::format("; {} dropped", counts.dropped) : ""));
   for (const Skip& skip : run.skips) text += row("", describe(skip, run.source.listed));
   if (!counts.first_pose_index) {
-    return text + row("tracked", "never initialised: " + initializationHint(run));
+    return text +
+           row("tracked", painted("never initialised: " + initializationHint(run), Ink::alarm));
   }
   text += row("tracked",
               fmt::format("{:.1f} % of the frames since the first pose, which is at frame {}",
                           100.0 * counts.tracked_ratio,
                           *counts.first_pose_index));
-  return text + row("direct share",
-                    fmt::format("{:.1f} %  ({} direct, {} indirect)",
-                                100.0 * counts.direct_share,
-                                counts.direct,
-                                counts.indirect));
+  return text +
+         row("direct share",
+             fmt::format("{:.1f} %  ({}, {})",
+                         100.0 * counts.direct_share,
+                         painted(fmt::format("{} direct", counts.direct), Ink::direct),
+                         painted(fmt::format("{} indirect", counts.indirect), Ink::indirect)));
 }
 
 std::string meters(const std::optional<AbsoluteError>& error) {
@@ -94,7 +111,7 @@ std::string lensRow(const RunRecord& run) {
                          run.map->corrected_camera->coefficients.front()));
 }
 
-std::string costRows(const RunRecord& run) {
+std::string costRows(const RunRecord& run, const Painter& painted) {
   const auto direct = updateSpread(run, TrackerKind::direct);
   const auto indirect = updateSpread(run, TrackerKind::indirect);
   const std::string ratio =
@@ -102,8 +119,9 @@ std::string costRows(const RunRecord& run) {
           ? fmt::format("   (direct {:.1f} x faster)", indirect->median / direct->median)
           : "";
   std::string text = row("ms median/p95",
-                         spreadText("direct", direct) + "   " + spreadText("indirect", indirect) +
-                             "   " + spreadText("all", updateSpread(run, std::nullopt)) + ratio);
+                         painted(spreadText("direct", direct), Ink::direct) + "   " +
+                             painted(spreadText("indirect", indirect), Ink::indirect) + "   " +
+                             spreadText("all", updateSpread(run, std::nullopt)) + ratio);
   int keyframes = 0;
   for (const MapView::Keyframe& keyframe : run.map->keyframes) keyframes += !keyframe.retired;
   const std::string resets =
@@ -138,8 +156,9 @@ std::string initializationHint(const RunRecord& run) {
 }
 
 std::string summaryText(const SummaryInput& input) {
-  return header(input.run) + frameRows(input.run, input.counts) +
-         accuracyRows(input.counts, input.accuracy) + costRows(input.run) +
+  const Painter painted(input.has_color);
+  return header(input.run, painted) + frameRows(input.run, input.counts, painted) +
+         accuracyRows(input.counts, input.accuracy) + costRows(input.run, painted) +
          row("output", input.output.string());
 }
 

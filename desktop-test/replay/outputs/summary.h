@@ -16,9 +16,11 @@ struct SummaryInput {
   const FrameCounts& counts;
   const std::optional<Accuracy>& accuracy;
   std::filesystem::path output;
+  bool has_color = false;
 };
 
-/// The table at the end of a run, for people. Plain ASCII, at most 100 columns but for paths.
+/// The table at the end of a run, for people. ASCII, at most 100 columns but for paths and the
+/// escape codes of colours.
 std::string summaryText(const SummaryInput& input);
 
 /// Why there is no map, from the last frame's progress: "too little motion: move the camera
