@@ -31,10 +31,15 @@ GlBuffer GlBuffer::allocate(std::int64_t bytes, GLenum usage) {
   return buffer;
 }
 
-void GlBuffer::write(const void* data, std::int64_t bytes) const {
-  assert(bytes <= bytes_);
+void GlBuffer::write(const void* data, std::int64_t bytes) const { writeRange(data, 0, bytes); }
+
+void GlBuffer::writeRange(const void* data, std::int64_t offset, std::int64_t bytes) const {
+  assert(offset + bytes <= bytes_);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, name_.get());
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+  glBufferSubData(GL_SHADER_STORAGE_BUFFER,
+                  static_cast<GLintptr>(offset),
+                  static_cast<GLsizeiptr>(bytes),
+                  data);
 }
 
 bool GlBuffer::read(void* data, std::int64_t bytes) const {

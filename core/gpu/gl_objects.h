@@ -71,6 +71,8 @@ class GlBuffer {
 
   /// Replaces the first `bytes` bytes.
   void write(const void* data, std::int64_t bytes) const;
+  /// Replaces `bytes` bytes from `offset` on.
+  void writeRange(const void* data, std::int64_t offset, std::int64_t bytes) const;
   /// Copies the first `bytes` bytes out; false when the driver does not map. The caller has waited
   /// for the GPU and issued GL_BUFFER_UPDATE_BARRIER_BIT.
   bool read(void* data, std::int64_t bytes) const;
