@@ -78,16 +78,12 @@ class WorkQueue {
     idle_.notify_all();
   }
 
-  /// Waits until everything pushed so far is done, or the queue is closed.
+  /// Waits until everything pushed so far is done, or the queue is closed; not for what others push
+  /// meanwhile.
   void waitIdle() {
     std::unique_lock lock(mutex_);
-    idle_.wait(lock, [&] { return closed_ || pending_ == 0; });
-  }
-
-  /// Items ever pushed: tells whether something came in between two looks.
-  std::size_t pushed() const {
-    const std::lock_guard lock(mutex_);
-    return pushed_;
+    const std::size_t wanted = pushed_;
+    idle_.wait(lock, [&] { return closed_ || pushed_ - pending_ >= wanted; });
   }
 
   /// Items that wait; the one being worked on does not count.
@@ -113,7 +109,7 @@ class WorkQueue {
   mutable std::mutex mutex_;
   std::condition_variable ready_, room_, idle_;
   std::deque<T> items_;
-  std::size_t pending_ = 0, pushed_ = 0;
+  std::size_t pending_ = 0, pushed_ = 0;  ///< not done yet, and ever
   bool closed_ = false;
 };
 

@@ -16,6 +16,7 @@ BackEnd::BackEnd(const Config& config, const CameraModel& camera)
       mapping_(
           config, camera, &map_, [this](LoopMessage message) { loop_.offer(std::move(message)); }),
       loop_(config, camera, &map_, [this](MappingMessage message) {
+        ++corrections_;
         mapping_.send(std::move(message));
       }) {}
 
@@ -37,12 +38,12 @@ bool BackEnd::ask(RelocalizationQuery query) {
 }
 
 void BackEnd::waitIdle() {
-  std::size_t received = 0;
-  do {  // until neither handed the other something in a whole round
-    received = mapping_.received() + loop_.received();
+  std::size_t corrections = 0;
+  do {  // until nothing that the mapper handed to the loop thread comes back
+    corrections = corrections_.load();
     mapping_.waitIdle();
     loop_.waitIdle();
-  } while (mapping_.received() + loop_.received() != received);
+  } while (corrections_.load() != corrections);
 }
 
 }  // namespace glide

@@ -40,9 +40,8 @@ class LoopThread {
   /// The answer to the last query that was worked off; null before the first.
   std::shared_ptr<const RelocalizationAnswer> answer() const { return answer_.load(); }
 
-  /// Blocks until everything offered is worked off, or the thread is stopped.
+  /// Blocks until everything offered so far is worked off, or the thread is stopped. Any thread.
   void waitIdle();
-  std::size_t received() const { return queue_.pushed(); }  ///< messages so far
 
   void close();  ///< as MappingThread::close
   void stop();   ///< as MappingThread::stop

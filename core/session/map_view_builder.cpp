@@ -31,10 +31,11 @@ MapView::Keyframe viewOf(const MapSnapshot::RetiredEntry& retired) {
 
 }  // namespace
 
-std::shared_ptr<const MapView> buildMapView(const MapSnapshot& snapshot, std::uint64_t resets) {
+std::shared_ptr<const MapView> buildMapView(const MapSnapshot& snapshot, const MapStamp& stamp) {
   auto view = std::make_shared<MapView>();
   view->revision = snapshot.revision();
-  view->resets = resets;
+  view->generation = stamp.generation;
+  view->resets = stamp.resets;
   for (const auto& keyframe : snapshot.keyframes()) view->keyframes.push_back(viewOf(keyframe));
   for (const auto& retired : snapshot.retired()) view->keyframes.push_back(viewOf(retired));
   std::sort(view->keyframes.begin(), view->keyframes.end(), [](const auto& a, const auto& b) {

@@ -71,6 +71,15 @@ void MappingThread::send(MappingMessage message) {
   queue_.push(message);
 }
 
+void MappingThread::sendAnyway(MappingMessage message) {
+  if (!worker_) {
+    process(message, nullptr);
+    return;
+  }
+  interrupt_.store(true);
+  queue_.pushAnyway(message);
+}
+
 void MappingThread::waitIdle() {
   if (worker_) queue_.waitIdle();
 }

@@ -31,9 +31,11 @@ class MappingThread {
   /// Hands over what must not be lost: waits until there is room. Any thread but the mapping one.
   void send(MappingMessage message);
 
-  /// Blocks until everything handed over is mapped, or the thread is stopped.
+  /// Hands over what is rare and must not be lost, without waiting for room. Any thread.
+  void sendAnyway(MappingMessage message);
+
+  /// Blocks until everything handed over so far is mapped, or the thread is stopped. Any thread.
   void waitIdle();
-  std::size_t received() const { return queue_.pushed(); }  ///< messages so far
 
   /// No more messages are taken, waiting ones are dropped, running work ends early.
   void close();

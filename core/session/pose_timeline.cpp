@@ -25,7 +25,7 @@ double shareOf(std::int64_t t_ns, std::int64_t begin_ns, std::int64_t end_ns) {
 }  // namespace
 
 PoseTimeline PoseTimeline::with(const Entry& entry) const {
-  PoseTimeline next;
+  PoseTimeline next(generation_);
   const std::size_t skipped = entries_.size() < kMaxEntries ? 0 : entries_.size() - kMaxEntries + 1;
   next.entries_.reserve(entries_.size() - skipped + 1);
   next.entries_.assign(entries_.begin() + static_cast<std::ptrdiff_t>(skipped), entries_.end());
@@ -36,6 +36,7 @@ PoseTimeline PoseTimeline::with(const Entry& entry) const {
 LocatedCamera PoseTimeline::at(std::int64_t t_ns, const MapSnapshot& map) const {
   LocatedCamera located;
   located.t_ns = t_ns;
+  located.map_generation = generation_;
   if (entries_.empty()) return located;
   auto after = std::lower_bound(
       entries_.begin(), entries_.end(), t_ns, [](const Entry& entry, std::int64_t t) {

@@ -1,6 +1,5 @@
 #include "glide/session.h"
 
-#include "session/map_view_builder.h"
 #include "session/session_impl.h"
 
 #include "base/file_io.h"
@@ -42,8 +41,11 @@ Result<FrameResult> Session::update(const FrameInput& frame) try {
   return Error{ErrorCode::internal, std::string("Session::update: ") + exception.what()};
 }
 
-std::shared_ptr<const MapView> Session::map() const {
-  return buildMapView(*impl_->snapshot(), impl_->resets());
+std::shared_ptr<const MapView> Session::map() const { return impl_->view(); }
+
+MapSize Session::mapSize() const {
+  const std::shared_ptr<const MapSnapshot> map = impl_->map();
+  return {map->keyframes().size(), map->landmarks().size(), map->loops().size()};
 }
 
 LocatedCamera Session::locate(std::int64_t t_ns) const { return impl_->locate(t_ns); }
@@ -66,20 +68,43 @@ Result<std::vector<std::byte>> Session::saveMap() const try {
   return Error{ErrorCode::internal, std::string("Session::saveMap: ") + exception.what()};
 }
 
-Status Session::loadMap(const std::filesystem::path& path) try {
+Result<Session::MapFile> Session::MapFile::read(const std::filesystem::path& path) try {
   const Result<std::vector<std::byte>> bytes = readFile(path);
   if (!bytes) return bytes.error();
-  Status loaded = loadMap(std::span<const std::byte>(*bytes));
-  if (!loaded) return Error{loaded.error().code, path.string() + ": " + loaded.error().message};
-  return loaded;
+  Result<MapFile> file = decode(*bytes);
+  if (!file) return Error{file.error().code, path.string() + ": " + file.error().message};
+  return file;
 } catch (const std::exception& exception) {
-  return Error{ErrorCode::internal, std::string("Session::loadMap: ") + exception.what()};
+  return Error{ErrorCode::internal, std::string("MapFile::read: ") + exception.what()};
 }
 
-Status Session::loadMap(std::span<const std::byte> bytes) try {
-  const Result<StoredMap> stored = decodeMap(bytes);
+Result<Session::MapFile> Session::MapFile::decode(std::span<const std::byte> bytes) try {
+  Result<StoredMap> stored = decodeMap(bytes);
   if (!stored) return stored.error();
-  return impl_->restore(*stored);
+  return MapFile(std::make_shared<const StoredMap>(std::move(*stored)));
+} catch (const std::exception& exception) {
+  return Error{ErrorCode::internal, std::string("MapFile::decode: ") + exception.what()};
+}
+
+Status Session::loadMap(const std::filesystem::path& path) {
+  const Result<MapFile> file = MapFile::read(path);
+  if (!file) return file.error();
+  Status taken = takeMap(*file);
+  if (!taken) return Error{taken.error().code, path.string() + ": " + taken.error().message};
+  waitForMapping();
+  return taken;
+}
+
+Status Session::loadMap(std::span<const std::byte> bytes) {
+  const Result<MapFile> file = MapFile::decode(bytes);
+  if (!file) return file.error();
+  Status taken = takeMap(*file);
+  if (taken) waitForMapping();
+  return taken;
+}
+
+Status Session::takeMap(const MapFile& file) try {
+  return impl_->restore(*file.stored_);
 } catch (const std::exception& exception) {
   return Error{ErrorCode::internal, std::string("Session::loadMap: ") + exception.what()};
 }
@@ -87,5 +112,7 @@ Status Session::loadMap(std::span<const std::byte> bytes) try {
 void Session::waitForMapping() { impl_->waitForMapping(); }
 
 const BackendInfo& Session::backend() const { return impl_->backend(); }
+
+const std::vector<TrackedPoint>& Session::trackedPoints() const { return impl_->trackedPoints(); }
 
 }  // namespace glide

@@ -1,3 +1,4 @@
+#include "session/map_view_builder.h"
 #include "session/session_impl.h"
 
 #include "map/map_snapshot.h"
@@ -49,8 +50,8 @@ std::string describe(const CameraIntrinsics& camera) {
 void Session::Impl::reset() {
   back_end_.send(ClearMap{});
   ++generation_;
-  forgetMap();
   ++resets_;
+  forgetMap();
 }
 
 void Session::Impl::pause() { is_paused_ = true; }
@@ -81,10 +82,30 @@ Status Session::Impl::ensureAligner() {
   return Unit{};
 }
 
+std::shared_ptr<const MapSnapshot> Session::Impl::mapOf(std::uint64_t generation) const {
+  std::shared_ptr<const MapSnapshot> mapped = back_end_.snapshot();
+  return mapped->generation() == generation ? mapped : no_map_;
+}
+
+std::shared_ptr<const MapView> Session::Impl::view() const {
+  const std::uint64_t generation = this->generation();
+  const std::shared_ptr<const MapSnapshot> shown = mapOf(generation);
+  std::shared_ptr<const MapView> view = view_.load();
+  if (view->generation == generation && view->revision == shown->revision()) return view;
+  view = buildMapView(*shown, {generation, resets_.load()});
+  view_.store(view);
+  return view;
+}
+
+LocatedCamera Session::Impl::locate(std::int64_t t_ns) const {
+  const std::shared_ptr<const PoseTimeline> timeline = timeline_.load();
+  return timeline->at(t_ns, *mapOf(timeline->generation()));
+}
+
 StoredMap Session::Impl::stored() const {
-  const std::shared_ptr<const MapSnapshot> map = snapshot();
-  const auto& corrected = map->correctedCamera();
-  return {map,
+  const std::shared_ptr<const MapSnapshot> shown = map();
+  const auto& corrected = shown->correctedCamera();
+  return {shown,
           corrected ? corrected->intrinsics() : config_.camera,
           ScaleLevels(config_.features.scale_factor, config_.features.levels)};
 }
@@ -103,7 +124,6 @@ Status Session::Impl::restore(const StoredMap& stored) {
   forgetMap();
   back_end_.send(RestoredMap{stored.map});
   ++generation_;
-  back_end_.waitMapped();
   const MapSnapshot& map = *stored.map;
   const KeyframeId last = map.keyframes().back().id;
   std::uint64_t newest = last.value;
@@ -112,7 +132,7 @@ Status Session::Impl::restore(const StoredMap& stored) {
   map_start_ = map.keyframes().front().id;
   last_keyframe_ = LastKeyframe{last, 0};
   last_pose_ = anchorTo(last, *map.T_cam_world(last), map);
-  last_map_ = snapshot();
+  last_map_ = this->map();
   is_restored_ = true;
   lost_frames_ = 1;  // nothing is known about where the camera is
   return Unit{};

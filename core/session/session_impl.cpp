@@ -18,6 +18,9 @@ constexpr std::size_t kTinyMapKeyframes = 5;
 // Frames that a tiny map may be lost before it is given up.
 constexpr int kLostFramesBeforeReset = 5;
 
+// Of the first map that will be started; what the mapper publishes before is of generation 0.
+constexpr std::uint64_t kFirstGeneration = 1;
+
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::min();
 
 double distanceToReference(const TrackedFrame& tracked) {
@@ -30,16 +33,19 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
     : config_(config),
       camera_(camera),
       back_end_(config, camera),
-      timeline_(std::make_shared<const PoseTimeline>()),
+      no_map_(std::make_shared<const MapSnapshot>()),
+      timeline_(std::make_shared<const PoseTimeline>(kFirstGeneration)),
+      view_(std::make_shared<const MapView>()),
       backend_(aligner.info),
       indirect_(config, camera),
       initializer_(config, camera),
       reader_(config, aligner.info.backend),
-      last_map_(back_end_.snapshot()),
+      last_map_(no_map_),
       last_t_ns_(kNever),
       used_answer_t_ns_(kNever) {
   if (config.tracker == TrackerMode::hybrid)
     direct_.emplace(config.direct, std::move(aligner.aligner));
+  if (config.tracked_points == ReportPoints::on) reporter_.emplace(config.direct, camera);
 }
 
 Status Session::Impl::take(const FrameInput& input) {
@@ -56,15 +62,12 @@ Status Session::Impl::take(const FrameInput& input) {
 FrameResult Session::Impl::update(const FrameInput& input) {
   Stopwatch watch;
   last_t_ns_ = input.t_ns;
+  tracked_points_.clear();
   if (is_paused_) return pausedResult(input.t_ns);
-  const Frame frame{input.t_ns, back_end_.snapshot()};
+  const Frame frame{input.t_ns, currentMap()};
   const std::optional<WorldCorrection> correction =
       correctionBetween(*last_map_, *frame.map, last_pose_);
   last_map_ = frame.map;
-  if (last_keyframe_ && isStartRefused(*frame.map)) {
-    generation_ = frame.map->generation();
-    forgetMap();
-  }
   FrameResult result;
   if (!last_keyframe_) {
     result = isMapping() ? initialize(frame) : toResult(frame, TrackedFrame());
@@ -151,8 +154,18 @@ void Session::Impl::onTracked(const Frame& frame, TrackedFrame* tracked) {
     }
     if (direct_) tracked->stats.precompute_ms = direct_->refreshReference(frame, *tracked);
   }
+  if (reporter_) reportPoints(frame, *tracked);
   motion_.update(frame.t_ns, tracked->pose, *frame.map);
   last_pose_ = tracked->pose;
+}
+
+void Session::Impl::reportPoints(const Frame& frame, const TrackedFrame& tracked) {
+  if (tracked.tracker == TrackerKind::direct) {
+    reporter_->reportAlignment(reader_.luma(), *direct_, &tracked_points_);
+    return;
+  }
+  reporter_->reportMatches(frame, tracked, &tracked_points_);
+  if (direct_) reporter_->setReference(reader_.luma(), *direct_);
 }
 
 void Session::Impl::countSightings(const TrackedFrame& tracked) {
@@ -204,11 +217,20 @@ void Session::Impl::onLost() {
   motion_.stop();
   if (direct_) direct_->dropReference();
   ++lost_frames_;
-  const bool tiny = back_end_.snapshot()->keyframes().size() < kTinyMapKeyframes;
+  const bool tiny = map()->keyframes().size() < kTinyMapKeyframes;
   const bool may_give_up = isMapping() && !is_restored_;
   if (!tiny || lost_frames_ < kLostFramesBeforeReset || !may_give_up) return;
-  forgetMap();
   ++resets_;
+  forgetMap();
+}
+
+std::shared_ptr<const MapSnapshot> Session::Impl::currentMap() {
+  std::shared_ptr<const MapSnapshot> mapped = back_end_.snapshot();
+  if (last_keyframe_ && isStartRefused(*mapped)) {
+    generation_ = mapped->generation();
+    forgetMap();
+  }
+  return mapped->generation() == generation() ? mapped : no_map_;
 }
 
 void Session::Impl::forgetMap() {
@@ -217,16 +239,19 @@ void Session::Impl::forgetMap() {
   motion_.reset();
   if (direct_) direct_->dropReference();
   lost_frames_ = 0;
+  tracked_points_.clear();
   used_answer_t_ns_ = last_t_ns_;  // later answers may be about a map that is gone
   is_restored_ = false;
-  timeline_.store(std::make_shared<const PoseTimeline>());
+  timeline_.store(std::make_shared<const PoseTimeline>(generation_ + 1));
+  view_.store(std::make_shared<const MapView>());
 }
 
 FrameResult Session::Impl::pausedResult(std::int64_t t_ns) const {
   FrameResult result;
   result.t_ns = t_ns;
   result.state = TrackingState::paused;
-  describePose(last_pose_, *back_end_.snapshot(), &result);
+  result.map_generation = generation();
+  describePose(last_pose_, *map(), &result);
   return result;
 }
 
@@ -247,6 +272,7 @@ FrameResult Session::Impl::toResult(const Frame& frame, const TrackedFrame& trac
     describePose(last_pose_, *frame.map, &result);
   }
   result.map_revision = frame.map->revision();
+  result.map_generation = generation();
   return result;
 }
 

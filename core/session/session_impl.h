@@ -8,6 +8,7 @@
 #include "track/indirect_tracker.h"
 #include "track/initializer.h"
 #include "track/motion_model.h"
+#include "track/point_reporter.h"
 
 #include "map/map_io.h"
 
@@ -20,11 +21,12 @@
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace glide {
 
 /// The trackers and the back end of one session. Belongs to the thread that calls update(), but for
-/// snapshot(), stored(), resets() and locate(), which any thread may call.
+/// view(), map(), stored(), locate() and waitForMapping(), which any thread may call.
 class Session::Impl {
  public:
   Impl(const Config& config, const CameraModel& camera, ChosenAligner aligner);
@@ -40,16 +42,21 @@ class Session::Impl {
   /// The next take() chooses the aligner anew.
   void releaseGl();
   void abandonGl();
-  /// Takes a map from a file; invalid_argument when it was made with another camera.
+  /// Takes a map from a file, without waiting until the mapper has; invalid_argument when it was
+  /// made with another camera.
   Status restore(const StoredMap& stored);
 
-  std::shared_ptr<const MapSnapshot> snapshot() const { return back_end_.snapshot(); }
+  /// The map as it is to be seen: empty from the moment at which another is to take its place until
+  /// the mapper has published that.
+  std::shared_ptr<const MapSnapshot> map() const { return mapOf(generation()); }
+  /// A copy of map(), the same one until there is a new revision.
+  std::shared_ptr<const MapView> view() const;
   StoredMap stored() const;
-  std::uint64_t resets() const { return resets_.load(); }
-  LocatedCamera locate(std::int64_t t_ns) const { return timeline_.load()->at(t_ns, *snapshot()); }
+  LocatedCamera locate(std::int64_t t_ns) const;
 
   void waitForMapping() { back_end_.waitIdle(); }
   const BackendInfo& backend() const { return backend_; }
+  const std::vector<TrackedPoint>& trackedPoints() const { return tracked_points_; }
 
  private:
   /// The keyframe that the tracker made last.
@@ -64,10 +71,15 @@ class Session::Impl {
   bool isMapping() const { return config_.mode == SessionMode::slam; }
   FrameResult initialize(const Frame& frame);
   void startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked);
-  /// The mapper found that the two views of the start are no geometry: the map is empty.
+  /// Of the map to be seen, or to be started next.
+  std::uint64_t generation() const { return timeline_.load()->generation(); }
+  /// What the mapper has published when it is of this generation, else an empty map.
+  std::shared_ptr<const MapSnapshot> mapOf(std::uint64_t generation) const;
+  /// The mapper found that the two views of the start are no geometry, or ran out of memory and
+  /// began anew: there is no map to track in.
   bool isStartRefused(const MapSnapshot& map) const;
-  /// The mapper has not published the map that was started last.
-  bool isMapPending(const Frame& frame) const;
+  /// The mapper has not published the map that was started or loaded last.
+  bool isMapPending(const Frame& frame) const { return frame.map->generation() < generation_; }
   FrameResult waitForMap(const Frame& frame) const;
   FrameResult track(const Frame& frame);
   TrackedFrame trackDirect(const Frame& frame, const SE3d& T_cam_world_guess);
@@ -77,7 +89,10 @@ class Session::Impl {
   std::optional<TrackedFrame> tryAnswer(const Frame& frame, const TrackedFrame& lost);
   void onTracked(const Frame& frame, TrackedFrame* tracked);
   void offerKeyframe(const Frame& frame, TrackedFrame* tracked);
+  void reportPoints(const Frame& frame, const TrackedFrame& tracked);
   void onLost();
+  /// The map for the next frame; a start that the mapper refused is given up.
+  std::shared_ptr<const MapSnapshot> currentMap();
   void forgetMap();
   void countSightings(const TrackedFrame& tracked);
   NewKeyframe makeKeyframe(const Frame& frame, const TrackedFrame& tracked);
@@ -92,7 +107,9 @@ class Session::Impl {
   const CameraModel camera_;
   BackEnd back_end_;
   std::atomic<std::uint64_t> resets_{0};
+  const std::shared_ptr<const MapSnapshot> no_map_;
   Published<PoseTimeline> timeline_;
+  mutable Published<MapView> view_;  ///< that was asked for last
 
   // The thread of update().
   BackendInfo backend_;
@@ -100,6 +117,8 @@ class Session::Impl {
   IndirectTracker indirect_;
   Initializer initializer_;
   FrameReader reader_;
+  std::optional<PointReporter> reporter_;  ///< when Config::tracked_points is on
+  std::vector<TrackedPoint> tracked_points_;
   MotionModel motion_;
   std::optional<LastKeyframe> last_keyframe_;  ///< none before there is a map
   KeyframeId map_start_;                       ///< first keyframe of that map

@@ -32,30 +32,29 @@ void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame*
   if (!tracked->ok)
     return;  // the mapper still works on the map that was given up: try the next frame
   ++generation_;
-  const std::shared_ptr<const MapSnapshot> map = back_end_.snapshot();
-  tracked->ok = !isStartRefused(*map);
+  const std::shared_ptr<const MapSnapshot> mapped = back_end_.snapshot();
+  tracked->ok = !isStartRefused(*mapped);
   if (!tracked->ok) return;
+  const MapSnapshot& map = mapped->generation() == generation_ ? *mapped : *no_map_;
   tracked->tracker = TrackerKind::indirect;
   tracked->confidence = 1.0;
   tracked->stats.keyframe = true;
-  tracked->T_cam_world = tracked->pose.T_cam_world(*map);
+  tracked->T_cam_world = tracked->pose.T_cam_world(map);
   last_keyframe_ = LastKeyframe{tracked->pose.keyframe, 0};
   last_pose_ = tracked->pose;
   lost_frames_ = 0;
   motion_.reset();
-  motion_.update(frame.t_ns, tracked->pose, *map);
+  motion_.update(frame.t_ns, tracked->pose, map);
 }
 
 bool Session::Impl::isStartRefused(const MapSnapshot& map) const {
-  return map.generation() >= generation_ && !map.T_cam_world(map_start_).has_value();
-}
-
-bool Session::Impl::isMapPending(const Frame& frame) const {
-  return !frame.map->T_cam_world(map_start_).has_value();
+  if (map.generation() != generation_) return map.generation() > generation_;
+  return !map.T_cam_world(map_start_).has_value();
 }
 
 FrameResult Session::Impl::waitForMap(const Frame& frame) const {
   FrameResult result = toResult(frame, TrackedFrame());
+  if (is_restored_) return result;  // lost, as until the camera is recognised
   result.state = TrackingState::initializing;
   result.initialization.status = InitializationStatus::done;
   return result;

@@ -115,8 +115,9 @@ struct WorldCorrection {
 /// Where the camera was or will be at a time, from Session::locate.
 struct LocatedCamera {
   std::int64_t t_ns = 0;
-  Pose T_world_cam;      ///< camera in world, scene units; the last known pose when not valid
-  bool valid = false;    ///< the pose is worth using
+  Pose T_world_cam;  ///< camera in world, scene units; the last known pose when not valid
+  std::uint64_t map_generation = 0;  ///< MapView::generation of that world
+  bool valid = false;                ///< the pose is worth using
   bool tracked = false;  ///< it rests on tracked frames around t_ns, not on a guess of the motion
 };
 
@@ -137,6 +138,7 @@ struct FrameResult {
   double reference_scale = 1.0;
   double confidence = 0.0;  ///< 0..1, share of agreeing landmarks, 0 unless tracking
   std::uint64_t map_revision = 0;
+  std::uint64_t map_generation = 0;           ///< MapView::generation of the pose's world
   std::optional<WorldCorrection> correction;  ///< since the frame before
   InitializationProgress initialization;
   FrameStats stats;

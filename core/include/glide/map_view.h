@@ -3,6 +3,7 @@
 #include "glide/types.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -29,7 +30,10 @@ struct MapView {
   struct Loop {
     std::uint64_t newer = 0, older = 0;  ///< ids of keyframes
   };
-  std::uint64_t revision = 0;
+  std::uint64_t revision = 0;  ///< 0: nothing was mapped yet
+  /// Grows when another map takes this one's place (reset, given up, loaded): ids and coordinates
+  /// begin to mean something else.
+  std::uint64_t generation = 0;
   std::uint64_t resets = 0;         ///< How often the map was started over.
   std::vector<Keyframe> keyframes;  ///< by ascending id
   std::vector<Landmark> landmarks;  ///< by ascending id
@@ -37,6 +41,11 @@ struct MapView {
   /// The camera as the map has corrected it (Config::Calibration); none while it is as given. The
   /// poses are of this camera: draw with it.
   std::optional<CameraIntrinsics> corrected_camera;
+};
+
+/// What a map consists of, counted; retired keyframes are not.
+struct MapSize {
+  std::size_t keyframes = 0, landmarks = 0, loops = 0;
 };
 
 }  // namespace glide

@@ -12,9 +12,12 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glide {
+
+struct StoredMap;  // of the library
 
 /// Which device does the direct tracking.
 struct BackendInfo {
@@ -46,11 +49,14 @@ class GLIDE_API Session {
   /// seconds, predicted up to 100 ms after the last frame, else not valid. Any thread.
   LocatedCamera locate(std::int64_t t_ns) const;
 
-  /// A copy of the current map; never null. Any thread.
+  /// The current map, never null: a copy, shared by who asks before there is a new revision. Empty
+  /// from reset(), or a start that is given up, until there is a new map. Any thread.
   std::shared_ptr<const MapView> map() const;
 
-  /// Drops the map and starts over with the next frame; a paused session stays paused. May wait
-  /// until the mapper has room for one more message.
+  /// How large the current map is, without a copy of it. Any thread.
+  MapSize mapSize() const;
+
+  /// Drops the map and starts over with the next frame; a paused session stays paused.
   void reset();
 
   /// Until resume(), update() looks at no frame and answers TrackingState::paused; the map stays.
@@ -73,20 +79,39 @@ class GLIDE_API Session {
   /// The bytes that saveMap would write. Any thread.
   Result<std::vector<std::byte>> saveMap() const;
 
+  /// A map file that was read: what takes long about loading and needs no session. Any thread.
+  class GLIDE_API MapFile {
+   public:
+    /// io when the file cannot be read, invalid_data or unknown_version when it is no map that this
+    /// library reads.
+    static Result<MapFile> read(const std::filesystem::path& path);
+    static Result<MapFile> decode(std::span<const std::byte> bytes);
+
+   private:
+    friend class Session;
+    explicit MapFile(std::shared_ptr<const StoredMap> stored) : stored_(std::move(stored)) {}
+    std::shared_ptr<const StoredMap> stored_;
+  };
   /// Takes the place of the present map; the camera is lost until it is recognised in it, and poses
-  /// are in the loaded map's frame from then on. Waits until the mapper has taken it over. io when
-  /// the file cannot be read, invalid_data or unknown_version when it is no map that this library
-  /// reads, invalid_argument when it was made with another camera or other feature levels; then
-  /// nothing is changed.
+  /// are in the loaded map's frame from then on. invalid_argument when the map was made with
+  /// another camera or other feature levels; then nothing is changed. Does not wait: map() is empty
+  /// until the mapper has taken it over (waitForMapping).
+  Status takeMap(const MapFile& file);
+  /// Reads, takes and waits; errors as of MapFile and takeMap.
   Status loadMap(const std::filesystem::path& path);
   Status loadMap(std::span<const std::byte> bytes);
 
   /// Blocks until every keyframe handed over so far is mapped, and loops that this closed are
-  /// worked in (offline use: lossless replay).
+  /// worked in (offline use: lossless replay). Any thread; does not hold up update().
   void waitForMapping();
 
   /// As of the last update(), which may replace it.
   const BackendInfo& backend() const;
+
+  /// The landmarks that the last update() tracked the frame by: for pictures, not for tracking.
+  /// Empty unless the frame was tracked and Config::tracked_points is on, and for the frame that
+  /// starts a map. Changes with the next update(), reset() or loadMap().
+  const std::vector<TrackedPoint>& trackedPoints() const;
 
  private:
   class Impl;

@@ -8,6 +8,7 @@ namespace glide {
 namespace {
 
 constexpr std::int64_t kFrame_ns = 33'000'000;
+constexpr std::uint64_t kGeneration = 3;
 
 /// Camera `n` frames on its way: it moves along x and turns about y at constant speed.
 AnchoredPose poseAfter(double n) {
@@ -17,7 +18,7 @@ AnchoredPose poseAfter(double n) {
 }
 
 PoseTimeline timelineOf(int frames) {
-  PoseTimeline timeline;
+  PoseTimeline timeline(kGeneration);
   for (int i = 0; i < frames; ++i) timeline = timeline.with({i * kFrame_ns, true, poseAfter(i)});
   return timeline;
 }
@@ -29,10 +30,11 @@ void expectPose(const LocatedCamera& located, double n) {
 }
 
 TEST(PoseTimeline, KnowsNothingWhenItIsEmpty) {
-  const LocatedCamera located = PoseTimeline().at(5, MapSnapshot());
+  const LocatedCamera located = PoseTimeline(kGeneration).at(5, MapSnapshot());
   EXPECT_FALSE(located.valid);
   EXPECT_FALSE(located.tracked);
   EXPECT_EQ(located.t_ns, 5);
+  EXPECT_EQ(located.map_generation, kGeneration);
 }
 
 TEST(PoseTimeline, InterpolatesBetweenFrames) {

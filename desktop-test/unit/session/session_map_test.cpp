@@ -194,5 +194,76 @@ TEST(SessionMap, LocatesTheCameraAtAFrameAndBetweenFrames) {
   EXPECT_FALSE(session.locate(last.t_ns + 1'000'000'000).valid);
 }
 
+TEST(SessionMap, IsCopiedOnceForEachRevision) {
+  MappedWalk walk(SequenceFixture().config());
+  const std::shared_ptr<const MapView> map = walk.session.map();
+  EXPECT_EQ(walk.session.map(), map);
+  walkOn(&walk.fixture, &walk.session, kFrames, kFrames + 40);
+  EXPECT_GT(walk.session.map()->revision, map->revision);
+}
+
+TEST(SessionMap, IsToldFromTheOnesBeforeByItsGeneration) {
+  MappedWalk walk(SequenceFixture().config());
+  const std::uint64_t first = walk.session.map()->generation;
+  EXPECT_EQ(walk.last.map_generation, first);
+  EXPECT_EQ(walk.session.locate(walk.last.t_ns).map_generation, first);
+  ASSERT_TRUE(walk.session.loadMap(*walk.session.saveMap()).ok());
+  const std::uint64_t second = walk.session.map()->generation;
+  EXPECT_GT(second, first);
+  walk.session.reset();
+  EXPECT_GT(walk.session.map()->generation, second);
+  EXPECT_GT(walk.session.locate(walk.last.t_ns).map_generation, second);
+}
+
+/// A session whose mapper has a keyframe to work on.
+struct BusyWalk {
+  BusyWalk() : session(makeSession(threaded())) {
+    for (int i = 0; i < kFrames; ++i) {
+      walkOn(&fixture, &session, i, i + 1);
+      session.waitForMapping();
+    }
+    int frame = kFrames;
+    do last = walkOn(&fixture, &session, frame, frame + 1);
+    while (!last.stats.keyframe && ++frame < 3 * kFrames);
+  }
+  static Config threaded() {
+    Config config = SequenceFixture().config();
+    config.execution = Execution::threaded;
+    return config;
+  }
+  SequenceFixture fixture;
+  Session session;
+  FrameResult last;
+};
+
+TEST(SessionMap, IsEmptyFromAResetOnHoweverBusyTheMapperIs) {
+  BusyWalk walk;
+  ASSERT_TRUE(walk.last.stats.keyframe);
+  ASSERT_FALSE(walk.session.map()->keyframes.empty());
+  walk.session.reset();
+  const std::shared_ptr<const MapView> map = walk.session.map();
+  EXPECT_TRUE(map->keyframes.empty());
+  EXPECT_TRUE(map->landmarks.empty());
+  const Status loaded = walk.session.loadMap(*walk.session.saveMap());
+  EXPECT_THAT(loaded.error().message, HasSubstr("no keyframe"));
+}
+
+TEST(SessionMap, IsTakenWithoutWaitingForTheMapper) {
+  BusyWalk walk;
+  ASSERT_TRUE(walk.last.stats.keyframe);
+  const auto file = Session::MapFile::decode(*walk.session.saveMap());
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  ASSERT_TRUE(walk.session.takeMap(*file).ok());
+  EXPECT_EQ(walk.fixture.feed(&walk.session, walk.fixture.blank()).state, TrackingState::lost);
+  walk.session.waitForMapping();
+  EXPECT_FALSE(walk.session.map()->keyframes.empty());
+  FrameResult found;
+  for (int i = 0; i < 10 && found.state != TrackingState::tracking; ++i) {
+    found = walk.fixture.feed(&walk.session, middleImage(walk.fixture));
+    walk.session.waitForMapping();
+  }
+  EXPECT_EQ(found.state, TrackingState::tracking);
+}
+
 }  // namespace
 }  // namespace glide::test
