@@ -4,8 +4,8 @@ set -euo pipefail
 cd "$1"
 fail() { echo "$*"; exit 1; }
 
-for script in glide .ci/run scripts/*.sh desktop-test/house/*.sh; do bash -n "$script"; done
-if command -v shellcheck >/dev/null; then shellcheck -x glide .ci/run scripts/*.sh desktop-test/house/*.sh; fi
+for script in glide .ci/run scripts/*.sh desktop-test/house/*.sh desktop-test/house/docs/*.sh; do bash -n "$script"; done
+if command -v shellcheck >/dev/null; then shellcheck -x glide .ci/run scripts/*.sh desktop-test/house/*.sh desktop-test/house/docs/*.sh; fi
 
 for command in setup build test demo bench format tidy; do
   case "$(./glide "$command" --help)" in
