@@ -22,6 +22,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 SHELL = ("sh", "bash", "console")
 # A block without a language that holds such a line is meant for the shell.
 COMMAND_LINE = re.compile(r"\s*(\$ )?(\./glide |(scripts|desktop-test)/\S+\.(sh|py)|cmake -|([A-Z]+=\"?)?build/\S+/|ctest |gradle )")
+# In running text `--option` is one of ./glide, but on these pages.
+OTHER_PROGRAMS = ("docs/android.md", "docs/benchmarks.md")
 # How long one block may run before it is given up, in seconds.
 TIMEOUT = 120
 
@@ -74,8 +76,11 @@ def validity_faults(root, checker):
     for page, document in pages(root):
         for number, code in document.code:
             if validity.is_checkable(code):
-                for fault in checker.faults(code):
-                    yield f"{page}:{number}: `{code}`: {fault}"
+                found = checker.faults(code)
+            else:
+                found = checker.option_faults(code) if page not in OTHER_PROGRAMS else []
+            for fault in found:
+                yield f"{page}:{number}: `{code}`: {fault}"
 
 
 def make_tree(root, tree):

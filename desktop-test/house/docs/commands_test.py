@@ -11,6 +11,7 @@ import validity
 
 GLIDE = """#!/bin/bash
 case "$*" in
+  "--help") echo "  synth     draws"; echo "  replay    tracks" ;;
   "replay --help") echo "--patch N  --tracker hybrid|indirect" ;;
   "replay SOURCE --patch 7 --print-config" | "replay SOURCE --tracker hybrid --print-config") ;;
   "synth --help") echo "--frames INT=300  --camera fisheye|pinhole" ;;
@@ -107,6 +108,10 @@ class Validity(Checkout):
                            ("cmake --preset fast", "fast"), ("build/fast/core/tool", "fast"), ("core/gpu/gone", "core/gpu/gone"),
                            ("./glide synth 'OUT", "cannot be read")):
             self.assert_fault(line, part)
+
+    def test_knows_options_that_stand_alone(self):
+        for code, count in (("--patch 7", 0), ("--frames", 0), ("--path 7", 1), ("-- x", 0), ("a --path", 0)):
+            self.assertEqual(len(self.checker.option_faults(code)), count, code)
 
     def test_takes_text_for_text(self):
         for code in ("session.update()", "--patch 7", "a | b", "it's"):

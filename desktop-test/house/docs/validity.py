@@ -77,6 +77,14 @@ class Checker:
             self.answers[command] = done.returncode, done.stdout + done.stderr
         return self.answers[command]
 
+    def option_faults(self, code):
+        """An option alone must be one of some command of ./glide."""
+        commands = re.findall(r"^  ([a-z]+)  ", self.said(str(self.glide), "--help")[1], re.MULTILINE)
+        if not re.match(r"--[a-z]", code):
+            return []
+        help_texts = "".join(self.said(str(self.glide), command, "--help")[1] for command in commands)
+        return [f"no command of ./glide knows {option}" for option in options_of(code.split()) if not knows(help_texts, option)]
+
     def path_faults(self, path):
         """A path, the part of a file's name before its suffix, or a pattern."""
         if PLACEHOLDER.fullmatch(path) or (self.root / path).exists() or list(self.root.glob(path.rstrip("/") + ".*")):
