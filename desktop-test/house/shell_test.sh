@@ -7,7 +7,7 @@ fail() { echo "$*"; exit 1; }
 for script in glide .ci/run scripts/*.sh desktop-test/house/*.sh desktop-test/house/docs/*.sh; do bash -n "$script"; done
 if command -v shellcheck >/dev/null; then shellcheck -x glide .ci/run scripts/*.sh desktop-test/house/*.sh desktop-test/house/docs/*.sh; fi
 
-for command in setup build test demo bench format tidy; do
+for command in setup build aar test demo bench format tidy; do
   case "$(./glide "$command" --help)" in
     *"Usage: ./glide $command"*) ;;
     *) fail "./glide $command --help says nothing" ;;
