@@ -25,103 +25,113 @@ glide_status refuseUntracked() {
 
 }  // namespace
 
-bool AppSession::isTracking() const { return last_.state == TrackingState::tracking; }
-
-const MapView& AppSession::currentMap() {
-  if (!map_ || map_->revision < last_.map_revision) map_ = session_.map();
-  return *map_;
-}
-
 glide_status AppSession::setMetricScale(double metres_per_unit) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!isTracking()) return refuseUntracked();
-  world_.scaleBy(metres_per_unit);
-  return kDone;
+  return changeState([&](AppState* state) -> glide_status {
+    if (!state->isTracking()) return refuseUntracked();
+    state->world.scaleBy(metres_per_unit);
+    return kDone;
+  });
 }
 
 glide_status AppSession::setGravity(const Vec3d& down_cam) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!isTracking()) return refuseUntracked();
-  world_.level(T_world_cam(), down_cam);
-  return kDone;
+  return changeState([&](AppState* state) -> glide_status {
+    if (!state->isTracking()) return refuseUntracked();
+    state->world.level(state->T_world_cam(), down_cam);
+    return kDone;
+  });
 }
 
 glide_status AppSession::setDisplay(const Display& display) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  display_ = display;
-  return kDone;
+  return changeState([&](AppState* state) {
+    state->display = display;
+    return kDone;
+  });
 }
 
 glide_status AppSession::viewMatrix(float* matrix) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const SE3d T_display_cam{Eigen::Quaterniond(viewRotation(display_)), Vec3d::Zero()};
-  copyMatrix((T_display_cam * world_.cameraToGl(T_world_cam()).inverse()).matrix(), matrix);
+  const std::shared_ptr<const AppState> state = state_.load();
+  const SE3d T_display_cam{Eigen::Quaterniond(viewRotation(state->display)), Vec3d::Zero()};
+  const SE3d T_world_cam = state->world.cameraToGl(state->T_world_cam());
+  copyMatrix((T_display_cam * T_world_cam.inverse()).matrix(), matrix);
   return kDone;
 }
 
 glide_status AppSession::projectionMatrix(const ClipPlanes& planes, float* matrix) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  copyMatrix(glide::projectionMatrix(camera_, display_, planes), matrix);
+  copyMatrix(glide::projectionMatrix(camera_, state_.load()->display, planes), matrix);
   return kDone;
 }
 
-CameraModel AppSession::mapCamera() {
-  const std::optional<CameraIntrinsics>& corrected = currentMap().corrected_camera;
-  if (!corrected) return camera_;
-  const Result<CameraModel> camera = CameraModel::create(*corrected);
+CameraModel AppSession::cameraOf(const MapView& map) const {
+  if (!map.corrected_camera) return camera_;
+  const Result<CameraModel> camera = CameraModel::create(*map.corrected_camera);
   return camera ? *camera : camera_;
 }
 
-std::vector<VisiblePoint> AppSession::visible() {
-  if (!isTracking()) return {};
-  return visiblePoints(currentMap(), mapCamera(), T_world_cam().inverse());
+AppSession::Sight AppSession::sight() const {
+  Sight sight{state_.load(), session_.map(), camera_, {}};
+  const bool is_of_map = sight.map->generation == sight.state->last.map_generation;
+  if (!sight.state->isTracking() || !is_of_map) return sight;
+  sight.camera = cameraOf(*sight.map);
+  sight.points = visiblePoints(*sight.map, sight.camera, sight.state->T_world_cam().inverse());
+  return sight;
 }
 
-std::vector<glide_point> AppSession::pointCloud() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+std::vector<glide_point> AppSession::pointCloud() const {
+  const Sight seen = sight();
   std::vector<glide_point> points;
-  for (const VisiblePoint& point : visible())
-    points.push_back(toC(map_->landmarks[point.index], world_));
+  for (const VisiblePoint& point : seen.points)
+    points.push_back(toC(seen.map->landmarks[point.index], seen.state->world));
   return points;
 }
 
-std::vector<glide_hit> AppSession::hitTest(const Vec2d& uv) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+std::vector<glide_tracked_point> AppSession::trackedPoints() const {
+  const std::shared_ptr<const AppState> state = state_.load();
+  std::vector<glide_tracked_point> points;
+  for (const TrackedPoint& point : state->tracked_points) points.push_back(toC(point));
+  return points;
+}
+
+std::vector<glide_hit> AppSession::hitTest(const Vec2d& uv) const {
+  const Sight seen = sight();
+  const AppWorld& world = seen.state->world;
   std::vector<glide_hit> hits;
-  for (const SurfaceHit& hit : glide::hitTest(visible(), mapCamera(), uv)) {
+  for (const SurfaceHit& hit : glide::hitTest(seen.points, seen.camera, uv)) {
     // The hit's own axes are a camera's: its up becomes the app's up.
-    const SE3d T_app_hit = world_.cameraToApp(T_world_cam() * hit.T_cam_hit);
-    hits.push_back({toC(T_app_hit), static_cast<float>(world_.scale() * hit.distance), hit.points});
+    const SE3d T_app_hit = world.cameraToApp(seen.state->T_world_cam() * hit.T_cam_hit);
+    hits.push_back({toC(T_app_hit), static_cast<float>(world.scale() * hit.distance), hit.points});
   }
   return hits;
 }
 
 glide_status AppSession::createAnchor(const glide_pose& pose, std::uint64_t* id) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (last_.state == TrackingState::initializing)
-    return refuse(GLIDE_ERROR_NOT_TRACKING, "there is no map to hang an anchor on");
-  const std::optional<std::uint64_t> made =
-      anchors_.create(world_.objectFromApp(fromC(pose)), currentMap());
+  const std::lock_guard<std::mutex> lock(anchors_mutex_);
+  const std::shared_ptr<const AppState> state = state_.load();
+  const std::shared_ptr<const MapView> map = session_.map();
+  std::optional<std::uint64_t> made;
+  if (map->generation == state->last.map_generation)
+    made = anchors_.create(state->world.objectFromApp(fromC(pose)), *map);
   if (!made) return refuse(GLIDE_ERROR_NOT_TRACKING, "there is no map to hang an anchor on");
   *id = *made;
   return kDone;
 }
 
 glide_status AppSession::anchor(std::uint64_t id, glide_anchor* state) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  anchors_.follow(currentMap());
+  const std::lock_guard<std::mutex> lock(anchors_mutex_);
+  const std::shared_ptr<const AppState> seen = state_.load();
+  const std::shared_ptr<const MapView> map = session_.map();
+  anchors_.follow(*map);
   const std::optional<Anchors::State> found = anchors_.state(id);
   if (!found) return refuse(GLIDE_ERROR_INVALID_ARGUMENT, "there is no such anchor");
   glide_anchor result{};
   result.tracking = found->is_tracked ? 1 : 0;
-  result.pose = toC(world_.objectToApp(found->T_world_anchor));
+  result.pose = toC(seen->worldOf(map->generation).objectToApp(found->T_world_anchor));
   result.revision = found->revision;
   writeSized(result, state);
   return kDone;
 }
 
 glide_status AppSession::destroyAnchor(std::uint64_t id) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<std::mutex> lock(anchors_mutex_);
   if (anchors_.destroy(id)) return kDone;
   return refuse(GLIDE_ERROR_INVALID_ARGUMENT, "there is no such anchor");
 }

@@ -267,4 +267,8 @@ glide_point toC(const MapView::Landmark& landmark, const AppWorld& world) {
           landmark.id};
 }
 
+glide_tracked_point toC(const TrackedPoint& point) {
+  return {point.landmark, point.u, point.v, point.residual, point.inlier ? 1 : 0};
+}
+
 }  // namespace glide

@@ -25,5 +25,6 @@ glide_location toC(const LocatedCamera& located, const AppWorld& world);
 glide_intrinsics toC(const CameraIntrinsics& camera);
 glide_keyframe toC(const MapView::Keyframe& keyframe, const AppWorld& world);
 glide_point toC(const MapView::Landmark& landmark, const AppWorld& world);
+glide_tracked_point toC(const TrackedPoint& point);
 
 }  // namespace glide

@@ -84,6 +84,17 @@ glide_status glide_session_point_cloud(glide_session* session,
   });
 }
 
+glide_status glide_session_tracked_points(glide_session* session,
+                                          size_t capacity,
+                                          glide_tracked_point* points,
+                                          size_t* count) {
+  return withSession(session, [&](AppSession& app) {
+    const CountedOut<glide_tracked_point> out{capacity, points, count};
+    if (!out.isValid()) return refuseArgument("points or count is null");
+    return giveAll(app.trackedPoints(), out);
+  });
+}
+
 glide_status glide_session_hit_test(
     glide_session* session, const float uv[2], size_t capacity, glide_hit* hits, size_t* count) {
   return withSession(session, [&](AppSession& app) {

@@ -102,6 +102,12 @@ GLIDE_C_API glide_status glide_session_point_cloud(glide_session* session,
                                                    size_t capacity,
                                                    glide_point* points,
                                                    size_t* count);
+/* The landmarks that the last frame was tracked by, at the pixels where it sees them. Empty unless it
+ * was tracked with the setting "tracked_points=on". */
+GLIDE_C_API glide_status glide_session_tracked_points(glide_session* session,
+                                                      size_t capacity,
+                                                      glide_tracked_point* points,
+                                                      size_t* count);
 /* What the ray through a pixel of the last camera image meets: landmarks near it, and the plane
  * through those; nearest first. Empty (OK) when there is nothing. */
 GLIDE_C_API glide_status glide_session_hit_test(

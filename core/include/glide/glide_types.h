@@ -10,7 +10,7 @@
 
 /* Version of this ABI. Another major number is another ABI; a higher minor number only adds. */
 #define GLIDE_ABI_MAJOR 1
-#define GLIDE_ABI_MINOR 0
+#define GLIDE_ABI_MINOR 1
 
 /* Zeroes a size-tagged struct and tells its size: glide_config config; GLIDE_INIT(config); */
 #define GLIDE_INIT(object) \
@@ -186,6 +186,14 @@ typedef struct glide_point {
   float confidence; /* 0..1, by the keyframes that see it */
   uint64_t id;
 } glide_point;
+
+/* A landmark as the last frame saw it. */
+typedef struct glide_tracked_point {
+  uint64_t landmark; /* glide_point.id */
+  float u, v;        /* px in the image */
+  float residual;    /* direct frames: RMS difference of the patch, grey levels; indirect: px */
+  int32_t inlier;    /* 1: it agrees with the pose */
+} glide_tracked_point;
 
 typedef struct glide_keyframe {
   uint64_t id;

@@ -30,6 +30,8 @@ SIZE(glide_location, 72);
 AT(glide_location, camera, 16);
 SIZE(glide_point, 24);
 AT(glide_point, id, 16);
+SIZE(glide_tracked_point, 24);
+AT(glide_tracked_point, inlier, 20);
 SIZE(glide_keyframe, 80);
 AT(glide_keyframe, camera, 16);
 SIZE(glide_hit, 64);

@@ -4,15 +4,24 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace glide::test {
 namespace {
 constexpr std::int64_t kFrame_ns = 33'333'333;
 constexpr double kStep_m = 0.01;
+constexpr const char* kStartsSoon = "initialization.min_matches=60";
 }  // namespace
 
 CWalk::CWalk(std::int32_t axes) : CWalk(axes, GLIDE_EXECUTION_INLINE) {}
 
-CWalk::CWalk(std::int32_t axes, std::int32_t execution) : config_(sized<glide_config>()) {
+CWalk::CWalk(std::int32_t axes, std::int32_t execution) : CWalk(axes, execution, {kStartsSoon}) {}
+
+CWalk::CWalk(const char* setting)
+    : CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_INLINE, {kStartsSoon, setting}) {}
+
+CWalk::CWalk(std::int32_t axes, std::int32_t execution, std::vector<const char*> settings)
+    : settings_(std::move(settings)), config_(sized<glide_config>()) {
   config_.backend = GLIDE_BACKEND_CPU;
   config_.execution = execution;
   config_.axes = axes;

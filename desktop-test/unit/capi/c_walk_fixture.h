@@ -17,6 +17,8 @@ class CWalk {
   explicit CWalk(std::int32_t axes);
   /// The same with GLIDE_EXECUTION_*.
   CWalk(std::int32_t axes, std::int32_t execution);
+  /// GL axes and one setting more, "key=value"; it must outlive this.
+  explicit CWalk(const char* setting);
   ~CWalk();
   CWalk(const CWalk&) = delete;
   CWalk& operator=(const CWalk&) = delete;
@@ -33,8 +35,10 @@ class CWalk {
   const SequenceFixture& sequence() const { return sequence_; }
 
  private:
+  CWalk(std::int32_t axes, std::int32_t execution, std::vector<const char*> settings);
+
   SequenceFixture sequence_;
-  std::vector<const char*> settings_{"initialization.min_matches=60"};
+  std::vector<const char*> settings_;
   glide_config config_;
   glide_session* session_ = nullptr;
   glide_status status_ = GLIDE_OK;

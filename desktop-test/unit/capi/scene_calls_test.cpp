@@ -78,6 +78,31 @@ TEST_F(CScene, GivesMatricesThatPutLandmarksIntoTheImage) {
   EXPECT_EQ(glide_session_set_display(walk_.session(), 45, 320, 240), GLIDE_ERROR_INVALID_ARGUMENT);
 }
 
+TEST(CSceneOfPoints, ShowsWhatTheFrameWasTrackedBy) {
+  CWalk walk("tracked_points=on");
+  const glide_frame frame = walk.walk(kFrames);
+  std::size_t count = 0;
+  ASSERT_EQ(glide_session_tracked_points(walk.session(), 0, nullptr, &count), GLIDE_TRUNCATED);
+  std::vector<glide_tracked_point> points(count);
+  ASSERT_EQ(glide_session_tracked_points(walk.session(), count, points.data(), &count), GLIDE_OK);
+  EXPECT_GT(count, 40U);
+  int inliers = 0;
+  for (const glide_tracked_point& point : points) {
+    EXPECT_TRUE(point.u > 0.0F && point.u < 320.0F && point.v > 0.0F && point.v < 240.0F);
+    EXPECT_GE(point.residual, 0.0F);
+    inliers += point.inlier;
+  }
+  EXPECT_NEAR(inliers, frame.inliers, 3);
+  EXPECT_EQ(glide_session_tracked_points(walk.session(), 1, nullptr, &count),
+            GLIDE_ERROR_INVALID_ARGUMENT);
+}
+
+TEST_F(CScene, TellsNoTrackedPointsUnlessAskedTo) {
+  std::size_t count = 9;
+  EXPECT_EQ(glide_session_tracked_points(walk_.session(), 0, nullptr, &count), GLIDE_OK);
+  EXPECT_EQ(count, 0U);
+}
+
 TEST_F(CScene, HitsTheWall) {
   glide_hit hits[4];
   std::size_t count = 0;

@@ -40,6 +40,14 @@ ImageU8 SequenceFixture::imageAt(double x) const {
   return scene_.render(camera_, poseAt(x), Exposure{});
 }
 
+std::optional<Vec3d> SequenceFixture::pointAt(double x, const Vec2d& uv) const {
+  return scene_.pointAt(camera_, poseAt(x), uv);
+}
+
+std::optional<Vec2d> SequenceFixture::pixelOf(double x, const Vec3d& p_world) const {
+  return camera_.project(poseAt(x).inverse() * p_world);
+}
+
 ImageU8 SequenceFixture::blank() const {
   ImageU8 image(config_.camera.width, config_.camera.height);
   for (int y = 0; y < image.height(); ++y)

@@ -5,6 +5,7 @@
 #include "glide/session.h"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,9 @@ class SequenceFixture {
   static SE3d poseAt(double x);
   /// The image at poseAt(x).
   ImageU8 imageAt(double x) const;
+  /// What is seen at pixel `uv` from poseAt(x), and where a point of the world is seen from there.
+  std::optional<Vec3d> pointAt(double x, const Vec2d& uv) const;
+  std::optional<Vec2d> pixelOf(double x, const Vec3d& p_world) const;
   /// A frame without any structure.
   ImageU8 blank() const;
 
