@@ -46,7 +46,8 @@ Sequence tum(const std::filesystem::path& folder, int count) {
   sequence.config.execution = Execution::inline_;
   for (const replay::ImageEntry& entry : dataset.images) {
     if (static_cast<int>(sequence.frames.size()) == count) break;
-    sequence.frames.emplace_back(entry.t_ns, replay::decodeGray(entry.file).value());
+    sequence.frames.emplace_back(entry.t_ns,
+                                 std::move(replay::decodeImage(entry.file).value().gray));
   }
   return sequence;
 }

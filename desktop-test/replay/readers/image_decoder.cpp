@@ -29,25 +29,10 @@ bool isTruncatedPng(std::string_view bytes) {
          std::string_view::npos;
 }
 
-}  // namespace
-
-Result<ImageU8> toGray(const cv::Mat& image) {
-  if (image.empty()) return fault("have no pixels");
-  if (image.depth() != CV_8U) return fault("do not have 8 bits per channel");
-  cv::Mat gray;
-  switch (image.channels()) {
-    case 1:
-      gray = image;
-      break;
-    case 3:
-      cv::cvtColor(image, gray, cv::COLOR_BGR2GRAY);
-      break;
-    case 4:
-      cv::cvtColor(image, gray, cv::COLOR_BGRA2GRAY);
-      break;
-    default:
-      return fault("have neither one, three nor four channels");
-  }
+ImageU8 grayOf(const cv::Mat& pixels) {
+  cv::Mat gray = pixels;
+  if (pixels.channels() == 3) cv::cvtColor(pixels, gray, cv::COLOR_BGR2GRAY);
+  if (pixels.channels() == 4) cv::cvtColor(pixels, gray, cv::COLOR_BGRA2GRAY);
   ImageU8 result(gray.cols, gray.rows);
   for (int y = 0; y < gray.rows; ++y) {
     std::copy_n(gray.ptr<std::uint8_t>(y), gray.cols, result.row(y));
@@ -55,7 +40,27 @@ Result<ImageU8> toGray(const cv::Mat& image) {
   return result;
 }
 
-Result<ImageU8> decodeGray(const std::filesystem::path& file) {
+ColorImage colorOf(const cv::Mat& pixels) {
+  if (pixels.channels() == 1) return {};
+  ColorImage color{pixels.cols, pixels.rows, {}};
+  color.rgb.resize(3 * pixels.total());
+  cv::Mat rgb(pixels.rows, pixels.cols, CV_8UC3, color.rgb.data());
+  cv::cvtColor(pixels, rgb, pixels.channels() == 3 ? cv::COLOR_BGR2RGB : cv::COLOR_BGRA2RGB);
+  return color;
+}
+
+}  // namespace
+
+Result<DecodedImage> decodedImage(const cv::Mat& pixels) {
+  if (pixels.empty()) return fault("have no pixels");
+  if (pixels.depth() != CV_8U) return fault("do not have 8 bits per channel");
+  const int channels = pixels.channels();
+  if (channels != 1 && channels != 3 && channels != 4)
+    return fault("have neither one, three nor four channels");
+  return DecodedImage{grayOf(pixels), colorOf(pixels)};
+}
+
+Result<DecodedImage> decodeImage(const std::filesystem::path& file) {
   const Result<std::string> bytes = readFile(file);
   if (!bytes) return fault("cannot be opened");
   if (bytes->empty()) return fault("are empty files");
@@ -64,7 +69,7 @@ Result<ImageU8> decodeGray(const std::filesystem::path& file) {
   try {
     const cv::Mat image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
     if (image.empty()) return fault("cannot be decoded");
-    return toGray(image);
+    return decodedImage(image);
   } catch (const cv::Exception&) {  // e.g. dimensions beyond OpenCV's limits
     return fault("cannot be decoded");
   }

@@ -9,7 +9,7 @@ namespace glide::replay {
 namespace {
 
 std::string faultOf(const std::filesystem::path& file) {
-  const Result<ImageU8> image = decodeGray(file);
+  const Result<DecodedImage> image = decodeImage(file);
   return image ? "" : image.error().message;
 }
 
@@ -32,23 +32,40 @@ TEST(ImageDecoder, ReadsGrayPixelsExactly) {
   const ScratchFolder folder;
   const cv::Mat expected = noise();
   cv::imwrite((folder.path() / "a.png").string(), expected);
-  const Result<ImageU8> image = decodeGray(folder.path() / "a.png");
+  const Result<DecodedImage> image = decodeImage(folder.path() / "a.png");
   ASSERT_TRUE(image.ok());
-  ASSERT_EQ(image->width(), 64);
+  ASSERT_EQ(image->gray.width(), 64);
   for (int y = 0; y < 64; ++y) {
-    for (int x = 0; x < 64; ++x) ASSERT_EQ(image->at(x, y), expected.at<std::uint8_t>(y, x));
+    for (int x = 0; x < 64; ++x) ASSERT_EQ(image->gray.at(x, y), expected.at<std::uint8_t>(y, x));
   }
+  EXPECT_TRUE(image->color.rgb.empty());
 }
 
 TEST(ImageDecoder, ConvertsColourWithAndWithoutAlpha) {
   const ScratchFolder folder;
   for (const int type : {CV_8UC3, CV_8UC4}) {
-    const Result<ImageU8> image = decodeGray(folder.writeImage("colour.png", type, 8, 4));
+    const Result<DecodedImage> image = decodeImage(folder.writeImage("colour.png", type, 8, 4));
     ASSERT_TRUE(image.ok());
-    EXPECT_EQ(image->width(), 8);
-    EXPECT_EQ(image->height(), 4);
-    EXPECT_EQ(image->at(3, 2), 40);
+    EXPECT_EQ(image->gray.width(), 8);
+    EXPECT_EQ(image->gray.height(), 4);
+    EXPECT_EQ(image->gray.at(3, 2), 40);
   }
+}
+
+TEST(ImageDecoder, KeepsTheColoursInTheOrderRedGreenBlue) {
+  const ScratchFolder folder;
+  cv::Mat pixels(3, 5, CV_8UC3, cv::Scalar(200, 100, 50));  // blue, green, red
+  pixels.at<cv::Vec3b>(1, 2) = {1, 2, 3};
+  const auto file = folder.path() / "colour.png";
+  ASSERT_TRUE(cv::imwrite(file.string(), pixels));
+  const Result<DecodedImage> image = decodeImage(file);
+  ASSERT_TRUE(image.ok());
+  ASSERT_EQ(image->color.width, 5);
+  ASSERT_EQ(image->color.height, 3);
+  ASSERT_EQ(image->color.rgb.size(), 45U);
+  EXPECT_THAT(std::vector<int>(image->color.rgb.begin() + 18, image->color.rgb.begin() + 24),
+              ::testing::ElementsAre(50, 100, 200, 3, 2, 1));
+  EXPECT_EQ(image->gray.at(0, 0), 96);  // 0.299 * 50 + 0.587 * 100 + 0.114 * 200
 }
 
 TEST(ImageDecoder, RefusesSixteenBits) {

@@ -32,14 +32,14 @@ class ImageListSource : public FrameSource {
   std::optional<SourceFrame> decodeNext() {
     while (next_ < images_.size()) {
       const ImageEntry& entry = images_[next_++];
-      Result<ImageU8> image = decodeGray(entry.file);
+      Result<DecodedImage> image = decodeImage(entry.file);
       if (!image) {
         skips_.add("images " + image.error().message, entry.name);
       } else if (info_.width != 0 &&
-                 (image->width() != info_.width || image->height() != info_.height)) {
+                 (image->gray.width() != info_.width || image->gray.height() != info_.height)) {
         skips_.add("images have another size than the first one", entry.name);
       } else {
-        return SourceFrame{entry.t_ns, entry.name, std::move(image).value()};
+        return SourceFrame{entry.t_ns, entry.name, std::move(image->gray), std::move(image->color)};
       }
     }
     return std::nullopt;

@@ -90,13 +90,14 @@ class VideoSource : public FrameSource {
       if (!isSelected(t_s)) continue;
       cv::Mat pixels;
       capture_.retrieve(pixels);
-      Result<ImageU8> image = toGray(pixels);
+      Result<DecodedImage> image = decodedImage(pixels);
       if (!image) {
         skips_.add("frames " + image.error().message, name);
         continue;
       }
       ++delivered_;
-      return SourceFrame{std::llround(t_s * 1e9), name, std::move(image).value()};
+      return SourceFrame{
+          std::llround(t_s * 1e9), name, std::move(image->gray), std::move(image->color)};
     }
     return std::nullopt;
   }

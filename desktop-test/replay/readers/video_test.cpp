@@ -44,6 +44,8 @@ TEST(Video, GivesEveryFrameInOrderWithTheContainersTimes) {
     EXPECT_NEAR(static_cast<double>(frame.t_ns - frames[0].t_ns) * 1e-9, 0.05 * i, 1e-6);
     EXPECT_NEAR(frame.image.at(30, 20), kGreyStep * i, 4);
     EXPECT_EQ(frame.image.width(), 64);
+    ASSERT_EQ(frame.color.rgb.size(), 3U * 64U * 48U);
+    EXPECT_NEAR(frame.color.rgb[3 * (20 * 64 + 30)], kGreyStep * i, 4);
   }
   EXPECT_TRUE((*source)->skips().skips().empty());
 }
