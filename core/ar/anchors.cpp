@@ -36,6 +36,7 @@ std::optional<std::uint64_t> Anchors::create(const SE3d& T_world_anchor, const M
   const MapView::Keyframe* keyframe = nearestKeyframe(map, T_world_anchor.t);
   if (keyframe == nullptr) return std::nullopt;
   Anchor anchor;
+  anchor.generation = map.generation;
   anchor.keyframe = keyframe->id;
   anchor.T_key_anchor = fromPose(keyframe->T_world_cam).inverse() * T_world_anchor;
   anchor.key_scale = keyframe->scale;
@@ -51,24 +52,26 @@ std::optional<Anchors::State> Anchors::state(std::uint64_t id) const {
 }
 
 void Anchors::follow(const MapView& map) {
+  if (map.generation == followed_generation_ && map.revision == followed_revision_) return;
+  followed_generation_ = map.generation;
+  followed_revision_ = map.revision;
   for (auto& [id, anchor] : anchors_) {
-    const MapView::Keyframe* keyframe = findKeyframe(map, anchor.keyframe);
-    if (!anchor.state.is_tracked) continue;
-    if (keyframe == nullptr) {  // culled keyframes stay in the view: this one's map is gone
-      anchor.state.is_tracked = false;
-      continue;
-    }
-    SE3d T_key_anchor = anchor.T_key_anchor;
-    T_key_anchor.t *= keyframe->scale / anchor.key_scale;
-    const SE3d T_world_anchor = fromPose(keyframe->T_world_cam) * T_key_anchor;
-    if ((T_world_anchor.inverse() * anchor.state.T_world_anchor).log().norm() < kSamePose) continue;
-    anchor.state.T_world_anchor = T_world_anchor;
-    ++anchor.state.revision;
+    anchor.state.is_tracked = anchor.state.is_tracked && anchor.generation == map.generation;
+    if (anchor.state.is_tracked) follow(map, &anchor);
   }
 }
 
-void Anchors::loseMap() {
-  for (auto& [id, anchor] : anchors_) anchor.state.is_tracked = false;
+void Anchors::follow(const MapView& map, Anchor* anchor) {
+  const MapView::Keyframe* keyframe = findKeyframe(map, anchor->keyframe);
+  anchor->state.is_tracked = keyframe != nullptr;  // culled ones stay in the view
+  if (keyframe == nullptr) return;
+  SE3d T_key_anchor = anchor->T_key_anchor;
+  T_key_anchor.t *= keyframe->scale / anchor->key_scale;
+  const SE3d T_world_anchor = fromPose(keyframe->T_world_cam) * T_key_anchor;
+  State* state = &anchor->state;
+  if ((T_world_anchor.inverse() * state->T_world_anchor).log().norm() < kSamePose) return;
+  state->T_world_anchor = T_world_anchor;
+  ++state->revision;
 }
 
 }  // namespace glide

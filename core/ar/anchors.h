@@ -27,21 +27,25 @@ class Anchors {
   /// Nothing when there is no such anchor.
   std::optional<State> state(std::uint64_t id) const;
 
-  /// Takes every anchor to where `map` has it. Maps come in the order of their revisions.
+  /// Takes every anchor to where `map` has it. Maps come in the order of their generations and
+  /// revisions; nothing is done for one that was there before. Where an anchor's map is gone it
+  /// stays where it is, untracked.
   void follow(const MapView& map);
-  /// Their map is gone: they stay where they are, untracked.
-  void loseMap();
 
  private:
   struct Anchor {
+    std::uint64_t generation = 0;  ///< MapView::generation of its map
     std::uint64_t keyframe = 0;
     SE3d T_key_anchor;
     double key_scale = 1.0;  ///< MapView::Keyframe::scale that T_key_anchor is given in
     State state;
   };
 
+  static void follow(const MapView& map, Anchor* anchor);
+
   std::map<std::uint64_t, Anchor> anchors_;
   std::uint64_t next_id_ = 1;  // 0 is never an anchor
+  std::uint64_t followed_generation_ = 0, followed_revision_ = 0;
 };
 
 }  // namespace glide

@@ -14,6 +14,11 @@ namespace {
 // Ten seconds at the highest rate of phones, 500 Hz: more than a frame will ever ask for.
 constexpr std::size_t kMostImuSamples = 5000;
 
+bool isSame(const BackendInfo& a, const BackendInfo& b) {
+  return a.backend == b.backend && a.vendor == b.vendor && a.renderer == b.renderer &&
+         a.version == b.version;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<AppSession>> AppSession::create(const glide_config& given) {
@@ -32,8 +37,10 @@ AppSession::AppSession(const glide_config& config, Session session, const Camera
     : log_(config.log),
       log_user_(config.log_user),
       camera_(camera),
-      session_(std::move(session)),
-      world_(config.axes == GLIDE_AXES_GL ? AppAxes::gl : AppAxes::cv) {}
+      state_(std::make_shared<const AppState>(AppState{
+          AppWorld(config.axes == GLIDE_AXES_GL ? AppAxes::gl : AppAxes::cv), {}, {}, {}})),
+      backend_(std::make_shared<const BackendInfo>(session.backend())),
+      session_(std::move(session)) {}
 
 AppSession::~AppSession() {
   if (gl_thread_ && *gl_thread_ != std::this_thread::get_id()) {
@@ -59,39 +66,34 @@ glide_status AppSession::update(const glide_image& image, glide_frame* frame) {
   const bool has_context = result || result.error().code != ErrorCode::missing_context;
   if (has_context && session_.backend().backend == Backend::gles)
     gl_thread_ = std::this_thread::get_id();
+  if (!isSame(session_.backend(), *backend_.load()))
+    backend_.store(std::make_shared<const BackendInfo>(session_.backend()));
   if (!result) {
     log(GLIDE_LOG_ERROR, result.error().message);
     return refuse(result.error());
   }
-  onFrame(*result);
-  writeSized(toC(*result, world_), frame);
+  return answer(*result, frame);
+}
+
+glide_status AppSession::answer(const FrameResult& result, glide_frame* frame) {
+  const std::shared_ptr<const AppState> before = state_.load();
+  changeState([&](AppState* state) {
+    state->take(result, session_.trackedPoints());
+    writeSized(toC(result, state->world), frame);
+    return kDone;
+  });
+  logFrame(before->last, result);
   return kDone;
 }
 
-void AppSession::onFrame(const FrameResult& result) {
-  const bool had_map = last_.state == TrackingState::tracking || last_.state == TrackingState::lost;
-  // After the start the mapper takes a few frames to publish its map: that is none lost.
-  const bool is_pending = result.initialization.status == InitializationStatus::done;
-  if (had_map && result.state == TrackingState::initializing && !is_pending) forgetMap();
-  if (result.state != last_.state) {
+void AppSession::logFrame(const FrameResult& before, const FrameResult& result) const {
+  if (result.state != before.state) {
     log(GLIDE_LOG_INFO,
         result.state == TrackingState::tracking ? "tracking"
         : result.state == TrackingState::lost   ? "lost"
                                                 : "initializing");
   }
   if (result.correction) log(GLIDE_LOG_INFO, "the map was corrected");
-  last_ = result;
-}
-
-void AppSession::replaceMap() {
-  last_ = FrameResult{};
-  forgetMap();
-}
-
-void AppSession::forgetMap() {
-  world_.reset();
-  anchors_.loseMap();
-  map_.reset();
 }
 
 glide_status AppSession::releaseGl() {
@@ -125,21 +127,18 @@ void AppSession::resume() {
 void AppSession::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
-  replaceMap();
+  changeState([](AppState* state) {
+    state->replaceMap();
+    return kDone;
+  });
 }
 
-void AppSession::waitForMapping() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  session_.waitForMapping();
-}
+void AppSession::waitForMapping() { session_.waitForMapping(); }
 
-BackendInfo AppSession::backend() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return session_.backend();
-}
+BackendInfo AppSession::backend() const { return *backend_.load(); }
 
 glide_status AppSession::pushImu(const glide_imu_sample* samples, std::size_t count) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<std::mutex> lock(imu_mutex_);
   std::int64_t last_ns = imu_.empty() ? INT64_MIN : imu_.back().t_ns;
   for (std::size_t i = 0; i < count; ++i) {
     if (samples[i].t_ns <= last_ns)
@@ -154,15 +153,16 @@ glide_status AppSession::pushImu(const glide_imu_sample* samples, std::size_t co
 }
 
 glide_location AppSession::locate(std::int64_t t_ns) const {
+  const std::shared_ptr<const AppState> state = state_.load();
   const LocatedCamera located = session_.locate(t_ns);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return toC(located, world_);
+  return toC(located, state->worldOf(located.map_generation));
 }
 
-std::shared_ptr<const AppSession::AppMap> AppSession::map() {
+std::shared_ptr<const AppSession::AppMap> AppSession::map() const {
+  const std::shared_ptr<const AppState> state = state_.load();
   std::shared_ptr<const MapView> view = session_.map();
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return std::make_shared<const AppMap>(AppMap{std::move(view), world_});
+  const AppWorld world = state->worldOf(view->generation);
+  return std::make_shared<const AppMap>(AppMap{std::move(view), world});
 }
 
 Result<std::vector<std::byte>> AppSession::saveMap() const { return session_.saveMap(); }
@@ -170,17 +170,31 @@ Result<std::vector<std::byte>> AppSession::saveMap() const { return session_.sav
 Status AppSession::saveMap(const char* path) const { return session_.saveMap(path); }
 
 Status AppSession::loadMap(const char* path) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  Status loaded = session_.loadMap(path);
-  if (loaded) replaceMap();
-  return loaded;
+  const Result<Session::MapFile> file = Session::MapFile::read(path);
+  if (!file) return file.error();
+  const Status taken = takeMap(*file);
+  if (!taken) return Error{taken.error().code, std::string(path) + ": " + taken.error().message};
+  session_.waitForMapping();
+  return taken;
 }
 
 Status AppSession::loadMap(std::span<const std::byte> bytes) {
+  const Result<Session::MapFile> file = Session::MapFile::decode(bytes);
+  if (!file) return file.error();
+  const Status taken = takeMap(*file);
+  if (taken) session_.waitForMapping();
+  return taken;
+}
+
+Status AppSession::takeMap(const Session::MapFile& file) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  Status loaded = session_.loadMap(bytes);
-  if (loaded) replaceMap();
-  return loaded;
+  Status taken = session_.takeMap(file);
+  if (!taken) return taken;
+  changeState([](AppState* state) {
+    state->replaceMap();
+    return kDone;
+  });
+  return taken;
 }
 
 }  // namespace glide

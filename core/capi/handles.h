@@ -10,7 +10,8 @@ using SessionTable = HandleTable<AppSession, glide_session>;
 using MapTable = HandleTable<const AppSession::AppMap, glide_map>;
 
 /// The handles of this process. The one mutable state that belongs to nobody: a C handle must be
-/// recognised as stale without following it.
+/// recognised as stale without following it. Never destroyed: threads may call while the process
+/// exits.
 SessionTable& sessionTable();
 MapTable& mapTable();
 
@@ -18,7 +19,7 @@ MapTable& mapTable();
 template <class Function>
 glide_status withSession(const glide_session* handle, Function&& function) noexcept {
   return guarded([&]() -> glide_status {
-    const std::shared_ptr<AppSession> session = sessionTable().find(handle);
+    const SessionTable::Use session = sessionTable().find(handle);
     if (!session) return refuse(GLIDE_ERROR_SESSION_CLOSED, "the session is null or was destroyed");
     return function(*session);
   });

@@ -12,7 +12,7 @@
 namespace glide {
 
 MapTable& mapTable() {
-  static MapTable table(8);
+  static MapTable& table = *new MapTable(8);
   return table;
 }
 
@@ -29,7 +29,7 @@ glide_status doneOr(const Status& status) { return status ? kDone : refuse(statu
 template <class Function>
 glide_status withMap(const glide_map* handle, Function&& function) noexcept {
   return guarded([&]() -> glide_status {
-    const std::shared_ptr<const AppMap> map = mapTable().find(handle);
+    const MapTable::Use map = mapTable().find(handle);
     if (!map) return refuse(GLIDE_ERROR_SESSION_CLOSED, "the map is null or was released");
     return function(*map);
   });

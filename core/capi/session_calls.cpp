@@ -12,11 +12,26 @@
 namespace glide {
 
 SessionTable& sessionTable() {
-  static SessionTable table(0);
+  static SessionTable& table = *new SessionTable(0);
   return table;
 }
 
 namespace {
+
+/// Ends the sessions that are open when the process exits or the library is unloaded: their threads
+/// must not outlive what they use. The driver may be gone already: GL objects are forgotten.
+struct SessionsEnd {
+  SessionsEnd() = default;
+  SessionsEnd(const SessionsEnd&) = delete;
+  SessionsEnd& operator=(const SessionsEnd&) = delete;
+  ~SessionsEnd() {
+    guarded([] {
+      for (const std::shared_ptr<AppSession>& session : sessionTable().removeIdle())
+        session->abandonGl();
+      return kDone;
+    });
+  }
+};
 
 glide_status nullArgument(const char* name) {
   return refuseArgument(std::string(name) + " is null, or its struct_size is not set");
@@ -36,6 +51,7 @@ glide_status createSession(const glide_config* given, glide_session** out) {
   if (!config) return nullArgument("config");
   Result<std::shared_ptr<AppSession>> session = AppSession::create(*config);
   if (!session) return refuse(session.error());
+  static const SessionsEnd sessions_end;  // after all that the session has loaded: ends before it
   *out = sessionTable().add(*std::move(session));
   return kDone;
 }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ar/app_world.h"
+#include "ar/display.h"
+
+#include "glide/frame.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace glide {
+
+/// What an app sees between two frames. Immutable once published: who reads it waits for nobody.
+struct AppState {
+  AppWorld world;  ///< as the app has turned and scaled that of `last`
+  Display display;
+  FrameResult last;  ///< as made before the first frame of a session or of another map
+  std::vector<TrackedPoint> tracked_points;
+
+  bool isTracking() const { return last.state == TrackingState::tracking; }
+  SE3d T_world_cam() const;
+  /// How a map or a pose of this generation (MapView::generation) is shown. A newer one than that
+  /// of `last` is of a map that the app has not seen: it starts with a world of its own. Read the
+  /// state before the map: then it cannot be older.
+  AppWorld worldOf(std::uint64_t generation) const;
+  /// Another map, or none, takes the place of the present one.
+  void replaceMap();
+  /// The answer to a frame.
+  void take(const FrameResult& result, const std::vector<TrackedPoint>& points);
+};
+
+}  // namespace glide
