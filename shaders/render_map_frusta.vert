@@ -12,6 +12,7 @@ layout(location = 0) in vec3 position_world;
 layout(location = 1) in vec4 q_world_cam;  // x, y, z, w
 layout(location = 2) in vec4 camera_color;
 
+const float kEdgeAlpha = 0.85;
 const int kPlaneVertices = 6;
 const int kPlaneCorner[6] = int[](0, 1, 2, 0, 2, 3);
 const int kStripCorner[6] = int[](0, 1, 2, 2, 1, 3);  // of a strip's four, as two triangles
@@ -42,5 +43,5 @@ void main() {
   drawStroke(toClip(begin),
              toClip(planeCorner(corner)),
              kStripCorner[(gl_VertexID - kPlaneVertices) % 6],
-             vec4(camera_color.rgb, 1.0));
+             vec4(camera_color.rgb, kEdgeAlpha));
 }

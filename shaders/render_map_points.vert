@@ -35,9 +35,9 @@ void main() {
   gl_Position = clip_from_eye * vec4(p_eye, 1.0);
   float certainty = clamp((landmark.w - kFew) / (kMany - kFew), 0.0, 1.0);
   float near = nearness(p_eye);
-  point_px = largest_px * mix(0.6, 1.0, certainty) * mix(0.7, 1.15, near);
+  point_px = largest_px * mix(0.65, 1.0, certainty) * mix(0.75, 1.2, near);
   gl_PointSize = point_px + 1.0;  // and the soft edge
   vec3 color = count > 0.0 ? mix(kOld, kNew, float(gl_VertexID) / count)
                            : colorOfHeight(-landmark.y);  // the world's y axis points down
-  point_color = vec4(color, mix(0.4, 1.0, certainty) * mix(0.45, 1.0, near));
+  point_color = vec4(color, mix(0.55, 1.0, certainty) * mix(0.55, 1.0, near));
 }

@@ -2,8 +2,6 @@
 
 #include "render/render_visit.h"
 
-#include <algorithm>
-
 namespace glide {
 namespace {
 
@@ -13,8 +11,8 @@ constexpr float kEdgeWidth = 0.6F, kLoopWidth = 1.2F, kFrustumWidth = 0.75F, kCa
 constexpr float kPlaneAlpha = 0.12F, kCameraPlaneAlpha = 0.4F;
 // Against a keyframe's frustum: every frame's, and the current camera's (map_renderer.h).
 constexpr float kFrameSize = 0.4F, kCameraSize = 2.0F;
-/// The current camera is found in the smallest plan: its frustum's depth is at least this.
-constexpr float kMinCameraInPlan_px = 9.0F;
+/// The current camera of a plan is a mark, whatever the scale: its frustum's depth.
+constexpr float kCameraInPlan_px = 14.0F;
 /// Landmarks of a plan are the ground that the way is drawn on.
 constexpr float kLandmarkInPlan = 0.6F;
 
@@ -56,15 +54,23 @@ Result<bool> MapPainter::update(MapScene* scene) {
 int MapPainter::paint(const MapScene& scene, const Look& look) {
   draw_calls_ = 0;
   setUp(look);
-  programs_.begin({look.view, depthCue(look.view, scene.bounds())});
+  const bool is_plan = look.content == MapContent::plan;
+  programs_.begin({look.view, is_plan ? kNoDepthCue : depthCue(look.view, scene.bounds())});
+  if (is_plan) paintGround(scene);
   paintLandmarks(scene, look);
   // Lines end where others begin: with depths their soft edges would cut notches into each other.
   glDepthMask(GL_FALSE);
-  if (look.content == MapContent::all) paintEdges(scene);
+  if (!is_plan) paintEdges(scene);
+  if (!is_plan) paintFrusta(scene, look);
   paintPaths(scene);
-  if (look.content == MapContent::all) paintFrusta(scene, look);
   paintCurrentCamera(scene, look);
   return draw_calls_;
+}
+
+void MapPainter::paintGround(const MapScene& scene) {
+  if (scene.style().mini_map_ground[3] <= 0.0F) return;
+  programs_.drawPanel(scene.style().mini_map_ground);
+  ++draw_calls_;
 }
 
 void MapPainter::paintLandmarks(const MapScene& scene, const Look& look) {
@@ -117,8 +123,7 @@ void MapPainter::paintCurrentCamera(const MapScene& scene, const Look& look) {
   frustum.line_px = kCameraWidth * style.line_px;
   frustum.plane_alpha = kCameraPlaneAlpha;
   frustum.size = kCameraSize * style.frustum_size;
-  if (look.content == MapContent::plan)
-    frustum.size = std::max(frustum.size, kMinCameraInPlan_px * unitsPerPixel(look.view));
+  if (look.content == MapContent::plan) frustum.size = kCameraInPlan_px * unitsPerPixel(look.view);
   frustum.first = glCount(scene.frames().size() - 1);
   glDisable(GL_DEPTH_TEST);  // seen through everything
   drawFrusta(frames_, 1, frustum);

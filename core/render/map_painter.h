@@ -44,10 +44,11 @@ class MapPainter {
  private:
   explicit MapPainter(MapPrograms programs) : programs_(std::move(programs)) {}
 
+  void paintGround(const MapScene& scene);
   void paintLandmarks(const MapScene& scene, const Look& look);
   void paintEdges(const MapScene& scene);
-  void paintPaths(const MapScene& scene);
   void paintFrusta(const MapScene& scene, const Look& look);
+  void paintPaths(const MapScene& scene);
   void paintCurrentCamera(const MapScene& scene, const Look& look);
   void drawLines(const SceneBuffer& buffer, std::size_t count, const MapPrograms::Lines& look);
   void drawFrusta(const SceneBuffer& buffer, std::size_t count, const MapPrograms::Frusta& look);

@@ -4,7 +4,9 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 #include <utility>
 
 namespace glide {
@@ -14,8 +16,10 @@ namespace {
 constexpr GLint kEyeFromWorld = 0, kClipFromEye = 1, kCue = 2;
 // ... render_map_points.vert ...
 constexpr GLint kLargestPx = 3, kHeights = 4, kCount = 5;
-// ... render_map_stroke.glsl, render_map_frusta.vert.
+// ... render_map_stroke.glsl, render_map_frusta.vert ...
 constexpr GLint kViewportPx = 3, kStroke = 4, kImagePlane = 5, kLook = 6;
+// ... render_map_panel.frag.
+constexpr GLint kPanelColor = 0, kArea = 1;
 
 constexpr GLsizei kStripVertices = 4;
 /// An image plane and eight edges, two triangles each.
@@ -45,17 +49,24 @@ constexpr GLuint kEachVertex = 0, kEachInstance = 1;
 }  // namespace
 
 Result<MapPrograms> MapPrograms::create() {
-  Result<GlProgram> points = buildRenderProgram("render_map_points", "render_map_points");
-  if (!points) return points.error();
-  Result<GlProgram> lines = buildRenderProgram("render_map_lines", "render_map_stroke");
-  if (!lines) return lines.error();
-  Result<GlProgram> frusta = buildRenderProgram("render_map_frusta", "render_map_stroke");
-  if (!frusta) return frusta.error();
-  return MapPrograms(std::move(*points), std::move(*lines), std::move(*frusta));
+  struct Part {
+    GlProgram MapPrograms::*program;
+    std::string_view vertices, fragments;
+  };
+  constexpr std::array<Part, 4> kParts{{
+      {&MapPrograms::panel_, "render_map_panel", "render_map_panel"},
+      {&MapPrograms::points_, "render_map_points", "render_map_points"},
+      {&MapPrograms::lines_, "render_map_lines", "render_map_stroke"},
+      {&MapPrograms::frusta_, "render_map_frusta", "render_map_stroke"},
+  }};
+  MapPrograms programs;
+  for (const Part& part : kParts) {
+    Result<GlProgram> built = buildRenderProgram(part.vertices, part.fragments);
+    if (!built) return built.error();
+    programs.*part.program = std::move(*built);
+  }
+  return programs;
 }
-
-MapPrograms::MapPrograms(GlProgram points, GlProgram lines, GlProgram frusta)
-    : points_(std::move(points)), lines_(std::move(lines)), frusta_(std::move(frusta)) {}
 
 void MapPrograms::begin(const Picture& picture) { picture_ = picture; }
 
@@ -67,6 +78,18 @@ void MapPrograms::use(const GlProgram& program) const {
   if (program.get() == points_.get()) return;
   const Viewport& viewport = picture_.view.viewport;
   glUniform2f(kViewportPx, static_cast<float>(viewport.width), static_cast<float>(viewport.height));
+}
+
+void MapPrograms::drawPanel(const Color& color) const {
+  const Viewport& area = picture_.view.viewport;
+  glUseProgram(panel_.get());
+  glUniform4fv(kPanelColor, 1, color.data());
+  glUniform4f(kArea,
+              static_cast<float>(area.x),
+              static_cast<float>(area.y),
+              static_cast<float>(area.x + area.width),
+              static_cast<float>(area.y + area.height));
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void MapPrograms::drawPoints(GLuint landmarks, GLsizei count, const Points& look) const {

@@ -12,7 +12,7 @@
 
 namespace glide {
 
-/// The three programs of the map, inside of a RenderVisit. Each draw call is one of these
+/// The programs of the map, inside of a RenderVisit. Each draw call is one of these
 /// functions: it binds what it needs. Buffers hold records (scene_records.h).
 class MapPrograms {
  public:
@@ -24,6 +24,9 @@ class MapPrograms {
     glm::vec2 cue{0.0F, 1.0F};  ///< depthCue()
   };
   void begin(const Picture& picture);
+
+  /// Fills the viewport.
+  void drawPanel(const Color& color) const;
 
   struct Points {
     float largest_px = 1.0F;
@@ -59,13 +62,13 @@ class MapPrograms {
   };
   void drawFrusta(GLuint cameras, GLsizei count, const Frusta& look) const;
 
-  void abandon() { abandonAll(points_, lines_, frusta_); }
+  void abandon() { abandonAll(panel_, points_, lines_, frusta_); }
 
  private:
-  MapPrograms(GlProgram points, GlProgram lines, GlProgram frusta);
+  MapPrograms() = default;
   void use(const GlProgram& program) const;
 
-  GlProgram points_, lines_, frusta_;
+  GlProgram panel_, points_, lines_, frusta_;
   Picture picture_;
 };
 

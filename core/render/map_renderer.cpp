@@ -114,9 +114,7 @@ Status MapRenderer::draw(const ViewCamera& camera, const Viewport& viewport) {
 }
 
 Status MapRenderer::drawMiniMap(const Viewport& viewport) {
-  const MapScene& scene = impl_->scene;
-  const MapViewPoint view =
-      viewFromAbove(scene.keyframes().items(), scene.frames().items(), viewport);
+  const MapViewPoint view = viewFromAbove(groundOf(impl_->scene), viewport);
   return impl_->draw({view, MapContent::plan, impl_->image_plane});
 }
 

@@ -7,35 +7,34 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace glide {
 namespace {
 
-/// Room around the keyframes, as a share of their extent: what they see lies there.
-constexpr float kRoom = 0.35F;
+/// Room around what a plan shows, as a share of its extent.
+constexpr float kMargin = 0.08F;
+/// How far a plan reaches beyond the cameras to show landmarks, in the cameras' extents.
+constexpr float kMaxReach = 1.5F;
 /// A map of one keyframe still needs an extent. Scene units: the first map's median depth is 1.
-constexpr float kMinHalfExtent = 0.5F;
-/// Above and below the keyframes, in their extents, so that no landmark worth seeing is clipped.
+constexpr float kMinExtent = 0.3F;
+/// Above and below, in extents of the ground, so that no landmark worth seeing is clipped.
 constexpr float kHeights = 20.0F;
 /// Of a frustum's half, at distance 1: fisheye lenses see more than a plane can show.
 constexpr double kMaxHalfPlane = 1.5;
 /// Of a camera that nobody described: 60 degrees wide, 4:3.
 constexpr glm::vec4 kDefaultPlane{-0.577F, -0.433F, 0.577F, 0.433F};
 
-/// An extent of the ground.
-struct GroundBox {
-  glm::vec2 low{std::numeric_limits<float>::max()};
-  glm::vec2 high{std::numeric_limits<float>::lowest()};
-
-  void add(std::span<const PoseRecord> cameras) {
-    for (const PoseRecord& camera : cameras) {
-      const glm::vec2 p(camera.p_world[0], camera.p_world[2]);
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
+GroundBox boxOf(std::span<const PoseRecord> cameras) {
+  GroundBox box{glm::vec2(std::numeric_limits<float>::max()),
+                glm::vec2(std::numeric_limits<float>::lowest())};
+  for (const PoseRecord& camera : cameras) {
+    const glm::vec2 p(camera.p_world[0], camera.p_world[2]);
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
   }
-  bool isEmpty() const { return low.x > high.x; }
-};
+  return box;
+}
 
 float clampHalf(double value) {
   return static_cast<float>(std::clamp(value, -kMaxHalfPlane, kMaxHalfPlane));
@@ -47,20 +46,26 @@ MapViewPoint viewPoint(const ViewCamera& camera, const Viewport& viewport) {
   return {glm::make_mat4(camera.view.data()), glm::make_mat4(camera.projection.data()), viewport};
 }
 
-MapViewPoint viewFromAbove(std::span<const PoseRecord> keyframes,
-                           std::span<const PoseRecord> frames,
-                           const Viewport& viewport) {
-  GroundBox box;
-  box.add(keyframes);
-  box.add(frames);
-  if (box.isEmpty()) box = {glm::vec2(0.0F), glm::vec2(0.0F)};
+GroundBox groundOf(const MapScene& scene) {
+  if (scene.keyframes().size() + scene.frames().size() == 0) return {};
+  const GroundBox keyframes = boxOf(scene.keyframes().items());
+  const GroundBox frames = boxOf(scene.frames().items());
+  const glm::vec2 low = glm::min(keyframes.low, frames.low);
+  const glm::vec2 high = glm::max(keyframes.high, frames.high);
+  if (scene.landmarks().size() == 0) return {low, high};
+  const auto& least = scene.bounds().landmarks_low;
+  const auto& most = scene.bounds().landmarks_high;
+  const float reach = kMaxReach * std::max({high.x - low.x, high.y - low.y, kMinExtent});
+  return {glm::max(glm::min(low, glm::vec2(least[0], least[2])), low - reach),
+          glm::min(glm::max(high, glm::vec2(most[0], most[2])), high + reach)};
+}
+
+MapViewPoint viewFromAbove(const GroundBox& box, const Viewport& viewport) {
   const glm::vec2 center = 0.5F * (box.low + box.high);
-  const glm::vec2 extent = 0.5F * (box.high - box.low);
-  const float room = std::max(kRoom * std::max(extent.x, extent.y), kMinHalfExtent);
-  const glm::vec2 wanted = extent + room;
+  const glm::vec2 extent = glm::max((1.0F + kMargin) * (box.high - box.low), kMinExtent);
   const float aspect =
       static_cast<float>(viewport.width) / static_cast<float>(std::max(viewport.height, 1));
-  const float half_height = std::max(wanted.y, wanted.x / aspect);
+  const float half_height = 0.5F * std::max(extent.y, extent.x / aspect);
   const float half_width = half_height * aspect;
   const float reach = kHeights * std::max(half_width, half_height);
   const glm::vec3 target(center.x, 0.0F, center.y);

@@ -54,6 +54,10 @@ SceneBounds boundsOf(std::span<const LandmarkRecord> landmarks,
   for (std::size_t axis = 0; axis < bounds.center.size(); ++axis) {
     const float first = cameras.empty() ? 0.0F : cameras.front().p_world[axis];
     const Range inner = landmarks.empty() ? Range{first, first} : landmarkRange(landmarks, axis);
+    if (!landmarks.empty()) {
+      bounds.landmarks_low[axis] = inner.low;
+      bounds.landmarks_high[axis] = inner.high;
+    }
     if (axis == kDown && inner.low < inner.high) {
       bounds.low = -inner.high;
       bounds.high = -inner.low;

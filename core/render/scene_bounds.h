@@ -10,7 +10,9 @@ namespace glide {
 /// Where the scene is, outliers aside. World frame, scene units.
 struct SceneBounds {
   std::array<float, 3> center{};
-  float radius = 1.0F;             ///< most of the scene is within; positive
+  float radius = 1.0F;  ///< most of the scene is within; positive
+  /// Between these lie most landmarks, on each axis; the origin without any.
+  std::array<float, 3> landmarks_low{}, landmarks_high{};
   float low = -1.0F, high = 1.0F;  ///< heights (-y) between which most landmarks lie; low < high
 };
 

@@ -22,9 +22,11 @@ enum class LandmarkColoring {
 /// What MapRenderer draws, and how. Sizes in px of the framebuffer, lengths in scene units.
 struct MapStyle {
   LandmarkColoring coloring = LandmarkColoring::height;
-  float landmark_px = 4.0F;    ///< of a landmark with many observations; others are smaller
-  float frustum_size = 0.06F;  ///< depth of a keyframe's frustum; the current camera's is twice
-  float line_px = 1.5F;        ///< of the trajectory; edges and frusta are thinner
+  float landmark_px = 4.0F;  ///< of a landmark with many observations; others are smaller
+  /// Depth of a keyframe's frustum; the current camera's is twice that. The first map's median
+  /// depth is 1.
+  float frustum_size = 0.045F;
+  float line_px = 1.5F;  ///< of the trajectory; edges and frusta are thinner
   bool landmarks = true;
   bool keyframes = true;
   bool trajectory = true;
@@ -32,6 +34,8 @@ struct MapStyle {
   bool covisibility = true;
   bool loops = true;
   int covisible_neighbors = 3;  ///< edges per keyframe
+  /// What the mini map lies on, with a thin frame; alpha 0: on what is there.
+  Color mini_map_ground{1.0F, 1.0F, 1.0F, 0.8F};
 };
 
 /// Draws a map and the camera's way through it in 3-D: landmarks as points (size and alpha by
@@ -65,8 +69,8 @@ class GLIDE_API MapRenderer {
   /// buffer (whose values in the viewport are cleared). unsupported when the context is no longer
   /// one that can (the error names it); invalid_argument for an empty viewport.
   Status draw(const ViewCamera& camera, const Viewport& viewport);
-  /// The same from straight above, framed so that all keyframes are seen: an inset. Landmarks
-  /// beyond the keyframes' surroundings fall off its edge.
+  /// The same from straight above, the world's z axis up, x to the right: an inset. All keyframes
+  /// are in it, and the landmarks around them; those far away fall off its edge.
   Status drawMiniMap(const Viewport& viewport);
 
   /// Draw calls of the last draw.
