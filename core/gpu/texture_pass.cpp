@@ -1,6 +1,8 @@
 #include "gpu/texture_pass.h"
 
+#include "gpu/gl_sampler.h"
 #include "gpu/luma_weights.h"
+#include "gpu/texture_check.h"
 
 #include <utility>
 
@@ -10,65 +12,9 @@ namespace {
 // layout(location) of shaders/texture_source.glsl
 constexpr GLint kOrigin = 0, kPerColumn = 1, kPerRow = 2, kWeights = 3;
 
-Error invalid(const std::string& what) {
-  return {ErrorCode::invalid_argument, "FrameInput.image" + what};
-}
-
-GlSampler makeSampler(GLint filter) {
-  GLuint name = 0;
-  glGenSamplers(1, &name);
-  glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
-  glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
-  glSamplerParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glSamplerParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return GlSampler(name);
-}
-
-GLint levelParameter(GLenum query) {
-  GLint value = 0;
-  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, query, &value);
-  return value;
-}
-
-/// Whether the texture, which exists, is of that target. When not, the GL error is the app's.
-bool isOfTarget(const Texture& texture, GLenum binding) {
-  GLint bound = 0;
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(texture.target, texture.name);
-  glGetIntegerv(binding, &bound);
-  return static_cast<GLuint>(bound) == texture.name;
-}
-
-Error wrongTarget(const Texture& texture, const char* target) {
-  return invalid(".name " + std::to_string(texture.name) + " is not a texture of target " + target);
-}
-
-Status checkExternal(const Texture& texture, GlStatePolicy policy) {
-  const ScopedTextureBinding binding(
-      policy, GL_TEXTURE_EXTERNAL_OES, GL_TEXTURE_BINDING_EXTERNAL_OES);
-  if (!isOfTarget(texture, GL_TEXTURE_BINDING_EXTERNAL_OES))
-    return wrongTarget(texture, "GL_TEXTURE_EXTERNAL_OES");
-  return Unit{};
-}
-
-Status checkPlain(const Texture& texture) {
-  if (!isOfTarget(texture, GL_TEXTURE_BINDING_2D)) return wrongTarget(texture, "GL_TEXTURE_2D");
-  const std::string name = std::to_string(texture.name);
-  const GLint width = levelParameter(GL_TEXTURE_WIDTH);
-  const GLint height = levelParameter(GL_TEXTURE_HEIGHT);
-  if (width != texture.width || height != texture.height)
-    return invalid(".name " + name + " is a texture of " + std::to_string(width) + "x" +
-                   std::to_string(height) + ", not " + std::to_string(texture.width) + "x" +
-                   std::to_string(texture.height));
-  const GLint type = levelParameter(GL_TEXTURE_RED_TYPE);
-  if (type == GL_INT || type == GL_UNSIGNED_INT)
-    return invalid(".name " + name + " holds integers, which cannot be sampled as grey levels");
-  return Unit{};
-}
-
 /// Which of the colours of the texture that is bound to GL_TEXTURE_2D of unit 0 make the luma.
 const std::array<float, 3>& boundWeights() {
-  return levelParameter(GL_TEXTURE_GREEN_SIZE) > 0 ? kColourWeights : kGreyWeights;
+  return isBoundTextureGrey() ? kGreyWeights : kColourWeights;
 }
 
 void setUniforms(const TexturePlacement& place, const std::array<float, 3>& weights) {
@@ -96,15 +42,12 @@ bool TexturePass::isPrepared(const Texture& texture) const {
 
 Status TexturePass::prepare(const Texture& texture, GlStatePolicy policy) {
   prepared_ = Texture();
-  if (glIsTexture(texture.name) != GL_TRUE)
-    return invalid(".name " + std::to_string(texture.name) +
-                   " is no texture of the current context");
   const bool external = texture.target == GL_TEXTURE_EXTERNAL_OES;
   if (external && !samples_external_ && !draws_external_)
     return Error{ErrorCode::unsupported,
                  "FrameInput.image: this OpenGL ES has neither GL_OES_EGL_image_external_essl3 nor "
                  "GL_OES_EGL_image_external"};
-  Status checked = external ? checkExternal(texture, policy) : checkPlain(texture);
+  Status checked = checkTextureObject(texture, policy);
   if (checked) checked = prepareSamplers();
   if (checked) checked = prepareProgram(texture.target);
   if (checked) prepared_ = texture;
@@ -113,8 +56,8 @@ Status TexturePass::prepare(const Texture& texture, GlStatePolicy policy) {
 
 Status TexturePass::prepareSamplers() {
   if (nearest_.get() != 0) return Unit{};
-  nearest_ = makeSampler(GL_NEAREST);
-  linear_ = makeSampler(GL_LINEAR);
+  nearest_ = makeClampedSampler(GL_NEAREST);
+  linear_ = makeClampedSampler(GL_LINEAR);
   if (nearest_.get() == 0 || linear_.get() == 0) return outOfMemory("a sampler object");
   return Unit{};
 }

@@ -117,9 +117,9 @@ class RenderTarget::Impl {
 /// Makes the objects in the current context, unless they are there.
 Status RenderTarget::Impl::settle() {
   if (isHere()) return Unit{};
-  leave();
   if (const Result<GlCaps> caps = GlCaps::query(); !caps) return caps.error();
   if (Status size = checkSize(width_, height_); !size) return size;
+  leave();
   const TargetVisit visit;
   Result<TargetObjects> made = TargetObjects::create(width_, height_);
   if (!made) return made.error();

@@ -1,0 +1,5 @@
+#version 100
+// One triangle over the whole viewport.
+attribute vec2 corner;
+
+void main() { gl_Position = vec4(corner, 0.0, 1.0); }
