@@ -45,7 +45,7 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
       used_answer_t_ns_(kNever) {
   if (config.tracker == TrackerMode::hybrid)
     direct_.emplace(config.direct, std::move(aligner.aligner));
-  if (config.tracked_points == ReportPoints::on) reporter_.emplace(config.direct, camera);
+  if (config.tracked_points != ReportPoints::off) reporter_.emplace(config.direct, camera);
 }
 
 Status Session::Impl::take(const FrameInput& input) {
@@ -160,12 +160,14 @@ void Session::Impl::onTracked(const Frame& frame, TrackedFrame* tracked) {
 }
 
 void Session::Impl::reportPoints(const Frame& frame, const TrackedFrame& tracked) {
+  if (tracked.tracker == TrackerKind::indirect)
+    reporter_->reportMatches(frame, tracked, &tracked_points_);
+  if (!direct_ || config_.tracked_points != ReportPoints::on) return;
   if (tracked.tracker == TrackerKind::direct) {
     reporter_->reportAlignment(reader_.luma(), *direct_, &tracked_points_);
-    return;
+  } else {
+    reporter_->setReference(reader_.luma(), *direct_);
   }
-  reporter_->reportMatches(frame, tracked, &tracked_points_);
-  if (direct_) reporter_->setReference(reader_.luma(), *direct_);
 }
 
 void Session::Impl::countSightings(const TrackedFrame& tracked) {

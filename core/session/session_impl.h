@@ -117,7 +117,7 @@ class Session::Impl {
   IndirectTracker indirect_;
   Initializer initializer_;
   FrameReader reader_;
-  std::optional<PointReporter> reporter_;  ///< when Config::tracked_points is on
+  std::optional<PointReporter> reporter_;  ///< unless Config::tracked_points is off
   std::vector<TrackedPoint> tracked_points_;
   MotionModel motion_;
   std::optional<LastKeyframe> last_keyframe_;  ///< none before there is a map

@@ -55,8 +55,9 @@ enum class CalibrationRefinement {
 
 /// Whether Session::trackedPoints is filled.
 enum class ReportPoints {
-  off,  ///< It stays empty and costs nothing.
-  on,   ///< Each direct frame is compared with its reference once more, on the CPU.
+  off,       ///< It stays empty and costs nothing.
+  indirect,  ///< On indirect frames: microseconds.
+  on,        ///< Always: each direct frame is compared with its reference once more, on the CPU.
 };
 
 /// What a call does to the GL state of the app's context (docs/gl-contract.md).

@@ -29,8 +29,9 @@ constexpr std::array<EnumName<Execution>, 2> enumNames(Execution) {
 constexpr std::array<EnumName<SessionMode>, 2> enumNames(SessionMode) {
   return {{{SessionMode::slam, "slam"}, {SessionMode::localization_only, "localization_only"}}};
 }
-constexpr std::array<EnumName<ReportPoints>, 2> enumNames(ReportPoints) {
-  return {{{ReportPoints::off, "off"}, {ReportPoints::on, "on"}}};
+constexpr std::array<EnumName<ReportPoints>, 3> enumNames(ReportPoints) {
+  return {
+      {{ReportPoints::off, "off"}, {ReportPoints::indirect, "indirect"}, {ReportPoints::on, "on"}}};
 }
 constexpr std::array<EnumName<CalibrationRefinement>, 2> enumNames(CalibrationRefinement) {
   return {{{CalibrationRefinement::on, "on"}, {CalibrationRefinement::off, "off"}}};

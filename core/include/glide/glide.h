@@ -103,7 +103,7 @@ GLIDE_C_API glide_status glide_session_point_cloud(glide_session* session,
                                                    glide_point* points,
                                                    size_t* count);
 /* The landmarks that the last frame was tracked by, at the pixels where it sees them. Empty unless
- * it was tracked with the setting "tracked_points=on". */
+ * it was tracked with the setting "tracked_points=on" (or "=indirect", by the indirect tracker). */
 GLIDE_C_API glide_status glide_session_tracked_points(glide_session* session,
                                                       size_t capacity,
                                                       glide_tracked_point* points,

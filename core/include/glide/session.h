@@ -109,8 +109,8 @@ class GLIDE_API Session {
   const BackendInfo& backend() const;
 
   /// The landmarks that the last update() tracked the frame by: for pictures, not for tracking.
-  /// Empty unless the frame was tracked and Config::tracked_points is on, and for the frame that
-  /// starts a map. Changes with the next update(), reset() or loadMap().
+  /// Empty unless the frame was tracked and Config::tracked_points wants them, and for the frame
+  /// that starts a map. Changes with the next update(), reset() or loadMap().
   const std::vector<TrackedPoint>& trackedPoints() const;
 
  private:

@@ -117,6 +117,16 @@ TEST_F(TrackedPointsTest, CostNothingAndChangeNoPoseWhenTheyAreOff) {
     EXPECT_EQ(without[i].result.T_world_cam.t_xyz, with[i].result.T_world_cam.t_xyz);
 }
 
+TEST_F(TrackedPointsTest, AreThoseOfIndirectFramesWhenOnlyThoseAreWanted) {
+  Session sparing = session(ReportPoints::indirect);
+  int indirect = 0;
+  for (const Step& step : walk(&sparing)) {
+    EXPECT_FALSE(step.result.tracker == TrackerKind::direct && !step.points.empty());
+    indirect += step.points.empty() ? 0 : 1;
+  }
+  EXPECT_GT(indirect, 1);
+}
+
 TEST_F(TrackedPointsTest, AreNoneWhileNothingIsTracked) {
   Session reporting = session(ReportPoints::on);
   EXPECT_TRUE(reporting.trackedPoints().empty());
