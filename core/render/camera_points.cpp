@@ -18,10 +18,11 @@ constexpr Color kShade{0.0F, 0.0F, 0.0F, 0.55F};
 constexpr float kShadePx = 1.0F;
 
 constexpr float kRadius = 1.0F / 150.0F;  // of the picture's height
-constexpr float kMinRadiusPx = 1.75F;
-constexpr float kRing = 0.45F;        // thickness over radius of an outlier
-constexpr float kTrail = 0.35F;       // radius of a trail over that of its point
-constexpr float kTrailAlpha = 0.75F;  // where it meets the point; 0 at its end
+constexpr float kMinRadiusPx = 2.0F;
+constexpr float kRingRadius = 1.5F;   // of an outlier over that of a point: its hole is seen
+constexpr float kRingWidth = 0.6F;    // over the radius of a point
+constexpr float kTrail = 0.4F;        // radius of a trail over that of its point
+constexpr float kTrailAlpha = 0.85F;  // where it meets the point; 0 at its end
 
 Color mixed(const Color& a, const Color& b, float share) {
   Color color{};
@@ -71,14 +72,15 @@ void PointInk::appendTrail(const TrackedPoint& point,
 void PointInk::appendPoint(const TrackedPoint& point, std::vector<InkShape>* shapes) const {
   const PointPx at = layout.place({point.u, point.v}, camera);
   const InkColor color = toInk(pointColor(point.residual, tracker));
-  const float thickness = kRing * radius();
   if (point.inlier) {
     shapes->push_back(inkDisc(at, radius() + kShadePx, toInk(kShade)));
     shapes->push_back(inkDisc(at, radius(), color));
-  } else {
-    shapes->push_back(inkRing(at, radius() + kShadePx, thickness + 2.0F * kShadePx, toInk(kShade)));
-    shapes->push_back(inkRing(at, radius(), thickness, color));
+    return;
   }
+  const float outer = kRingRadius * radius();
+  const float width = kRingWidth * radius();
+  shapes->push_back(inkRing(at, outer + kShadePx, width + kShadePx, toInk(kShade)));
+  shapes->push_back(inkRing(at, outer, width, color));
 }
 
 }  // namespace glide
