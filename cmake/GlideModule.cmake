@@ -20,24 +20,25 @@ function(glide_module name)
   endif()
 endfunction()
 
-# glide_tests(NAME LINKS ...): the test program NAME_test of all *_test.cpp (and *_fixture.cpp) in this folder's NAME, one
-# ctest entry per test program.
+# glide_tests(NAME [PREFIX prefix] LINKS ...): the test program [prefix]NAME_test of all *_test.cpp (and *_fixture.cpp) in
+# this folder's NAME, one ctest entry per test program.
 function(glide_tests name)
-  cmake_parse_arguments(ARG "" "" "LINKS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PREFIX" "LINKS;LABELS" ${ARGN})
+  set(program ${ARG_PREFIX}${name}_test)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*_test.cpp
        ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*_fixture.cpp)
   if(NOT sources)
     return()
   endif()
-  add_executable(${name}_test ${sources})
-  target_link_libraries(${name}_test PRIVATE glide_test_support ${ARG_LINKS} GTest::gmock GTest::gtest_main)
+  add_executable(${program} ${sources})
+  target_link_libraries(${program} PRIVATE glide_test_support ${ARG_LINKS} GTest::gmock GTest::gtest_main)
   if(GLIDE_PCH)
     # The precompiled header is position-independent code; an executable's -fPIE would not match it.
-    set_target_properties(${name}_test PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-    target_compile_options(${name}_test PRIVATE -fPIC)
-    target_precompile_headers(${name}_test REUSE_FROM glide_pch)
+    set_target_properties(${program} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(${program} PRIVATE -fPIC)
+    target_precompile_headers(${program} REUSE_FROM glide_pch)
   endif()
-  add_test(NAME ${name}_test COMMAND ${name}_test)
-  set_tests_properties(${name}_test PROPERTIES LABELS "${ARG_LABELS}"
+  add_test(NAME ${program} COMMAND ${program})
+  set_tests_properties(${program} PROPERTIES LABELS "${ARG_LABELS}"
     ENVIRONMENT "GLIDE_SOURCE_DIR=${CMAKE_SOURCE_DIR}")
 endfunction()

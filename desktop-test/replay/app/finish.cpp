@@ -81,7 +81,7 @@ std::optional<Failure> runFrames(Job& job) {
   if (!status && status.error().code == ErrorCode::unsupported)
     return Failure{kNoGl, status.error().message};
   if (!status)
-    return Failure{kUnreadableInput, "the session refused a frame: " + status.error().message};
+    return Failure{kUnreadableInput, status.error().message};
   if (run.interrupted) {
     job.log.say(fmt::format(
         "interrupted after {}: writing what was tracked so far (Ctrl-C again ends at once)",

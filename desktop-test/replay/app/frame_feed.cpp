@@ -11,6 +11,8 @@ std::optional<FedFrame> FrameFeed::next() {
   return fed;
 }
 
+void FrameFeed::excuse(std::chrono::steady_clock::duration time) { start_ += time; }
+
 std::optional<FedFrame> FrameFeed::nextAtOnce() {
   std::optional<SourceFrame> frame = source_.next();
   if (!frame) return std::nullopt;

@@ -28,6 +28,9 @@ class FrameFeed {
 
   /// Nothing at the end of the source, and when the program is interrupted.
   std::optional<FedFrame> next();
+  /// The tracker was not asked for so long, for instance because a viewer was paused: in realtime
+  /// the frames are due that much later.
+  void excuse(std::chrono::steady_clock::duration time);
   int dropped() const { return dropped_; }
   /// Whether there might have been more frames.
   bool wasInterrupted() const { return was_interrupted_; }

@@ -1,6 +1,7 @@
 #include "replay/app/gl_backend.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -9,13 +10,27 @@
 #endif
 
 namespace glide::replay {
+namespace {
+
+/// The option that cannot do without a context; null when none is needed.
+const char* needyOption(const GlDemand& demand) {
+  if (demand.backend == Backend::gles) return "--backend gles";
+  if (demand.input != InputKind::luma) return "--input";
+  if (demand.renders) return "--render";
+  return nullptr;
+}
+
+}  // namespace
 
 #if defined(GLIDE_GLES)
 struct GlBackend::Context {
-  test::EglContext egl;
+  std::optional<test::EglContext> egl;
+  std::optional<ViewerWindow> window;
 };
 
 namespace {
+
+constexpr PictureSize kWindowSize{1280, 720};
 
 /// Without a device node every GL is a software one, which automatic would refuse anyway; making it
 /// only to find out costs a tenth of a second and the memory of a shader compiler.
@@ -25,34 +40,54 @@ bool hasGpuDevice() {
          std::filesystem::exists("/dev/nvidia0", ignored);
 }
 
+Error missing(const std::string& option, const std::string& why) {
+  return {ErrorCode::unsupported, option + ": " + why};
+}
+
 }  // namespace
 
-Result<GlBackend> GlBackend::create(Backend backend, InputKind input) {
+Result<GlBackend> GlBackend::create(const GlDemand& demand) {
   GlBackend gl;
-  const bool is_needed = backend == Backend::gles || input != InputKind::luma;
-  const bool is_useful = backend == Backend::automatic && hasGpuDevice();
-  if (!is_needed && !is_useful) return gl;
+  gl.session_backend_ = demand.backend;
+  const bool is_useful = demand.backend == Backend::automatic && hasGpuDevice();
+  const bool serves_session =
+      is_useful || demand.backend == Backend::gles || demand.input != InputKind::luma;
+  if (!serves_session) gl.session_backend_ = Backend::cpu;
+  if (demand.has_viewer) {
+    Result<ViewerWindow> window = ViewerWindow::create(kWindowSize);
+    if (!window) return missing("--viewer", window.error().message);
+    gl.context_ = std::make_unique<Context>(Context{std::nullopt, std::move(*window)});
+    return gl;
+  }
+  const char* needy = needyOption(demand);
+  if (needy == nullptr && !is_useful) return gl;
   Result<test::EglContext> egl = test::EglContext::create(test::EglDebug::off);
   if (egl) {
-    gl.context_ = std::make_unique<Context>(Context{std::move(egl).value()});
-  } else if (is_needed) {
-    const std::string asked = input == InputKind::luma ? "--backend gles" : "--input";
-    return Error{ErrorCode::unsupported,
-                 asked + ": no OpenGL ES 3.1 context can be made: " + egl.error().message};
+    gl.context_ = std::make_unique<Context>(Context{std::move(*egl), std::nullopt});
+  } else if (needy != nullptr) {
+    return missing(needy, "no OpenGL ES 3.1 context can be made: " + egl.error().message);
   }
   return gl;
+}
+
+ViewerWindow* GlBackend::window() {
+  return context_ && context_->window ? &*context_->window : nullptr;
 }
 #else
 struct GlBackend::Context {};
 
-Result<GlBackend> GlBackend::create(Backend backend, InputKind input) {
-  const char* asked = input == InputKind::luma ? "--backend gles" : "--input";
-  if (backend == Backend::gles || input != InputKind::luma) {
+Result<GlBackend> GlBackend::create(const GlDemand& demand) {
+  const char* needy = demand.has_viewer ? "--viewer" : needyOption(demand);
+  if (needy != nullptr) {
     return Error{ErrorCode::unsupported,
-                 std::string(asked) + ": built without OpenGL ES (GLIDE_GLES)"};
+                 std::string(needy) + ": built without OpenGL ES (GLIDE_GLES)"};
   }
-  return GlBackend();
+  GlBackend gl;
+  gl.session_backend_ = demand.backend;
+  return gl;
 }
+
+ViewerWindow* GlBackend::window() { return nullptr; }
 #endif
 
 GlBackend::GlBackend() = default;

@@ -38,7 +38,9 @@ Interrupt::~Interrupt() {
   sigaction(SIGTERM, &before_term_, nullptr);
 }
 
-bool Interrupt::isAsked() const { return is_asked.load(); }
+bool Interrupt::isAsked() const { return isInterrupted(); }
+
+bool isInterrupted() { return is_asked.load(); }
 
 void Interrupt::waitUntil(std::chrono::steady_clock::time_point time) const {
   using Clock = std::chrono::steady_clock;

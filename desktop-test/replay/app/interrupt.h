@@ -24,4 +24,7 @@ class Interrupt {
   struct sigaction before_term_ {};
 };
 
+/// Whether such a signal has come, also to who waits far from the Interrupt.
+bool isInterrupted();
+
 }  // namespace glide::replay

@@ -1,5 +1,7 @@
 #include "replay/app/options.h"
 
+#include "replay/outputs/render_path.h"
+
 #include "glide/version.h"
 
 #include <CLI/CLI.hpp>
@@ -19,6 +21,10 @@ struct Raw {
   bool deterministic = false;
   bool localize_only = false;
 };
+
+std::string renderProblem(const std::string& path) {
+  return problemOfRenderPath(path).value_or("");
+}
 
 /// A validator whose own description stays out of --help; type_name() says it shorter.
 CLI::Validator plain(CLI::Validator validator) { return validator.description(""); }
@@ -122,6 +128,16 @@ void addOutputs(CLI::App& app, Raw& raw) {
   Options& options = raw.options;
   app.add_option("-o,--output", options.output, "output folder (default: out/<name>-<time>)")
       ->type_name("DIR");
+  app.add_option("--render",
+                 options.render,
+                 "draw the replay into a video (.mp4, .mkv, .avi) or a folder of\n"
+                 "numbered PNGs: the camera's view and the map in 3-D")
+      ->check(plain(CLI::Validator(renderProblem, "")))
+      ->type_name("FILE|DIR");
+  app.add_flag("--viewer",
+               options.viewer,
+               "show the same in a window: space pauses, . steps, f follows or\n"
+               "holds, the mouse turns and zooms, q ends the replay");
   const std::map<std::string, TrajectoryFrame> frames = {{"cam", TrajectoryFrame::camera},
                                                          {"body", TrajectoryFrame::body}};
   app.add_option("--trajectory-frame",
@@ -138,6 +154,10 @@ void addOutputs(CLI::App& app, Raw& raw) {
       ->transform(plain(CLI::CheckedTransformer(progress)))
       ->type_name("auto|plain|none");
   app.add_flag("--json", options.json, "print stats.json on stdout; all else goes to stderr");
+  app.add_flag("--report,!--no-report",
+               options.report,
+               "write report.html, a page with the map in 3-D and charts\n(default: where npm was "
+               "there to build the page)");
   app.add_option("--require-tracked",
                  options.require_tracked,
                  "exit with 5 when the tracked ratio is lower")

@@ -29,11 +29,14 @@ struct Options {
   TrajectoryFrame trajectory_frame = TrajectoryFrame::camera;
   Progress progress = Progress::automatic;
   bool json = false;
+  std::optional<bool> report;  ///< none: report.html where this program can write it
   std::optional<double> require_tracked;
   bool print_config = false;
   std::optional<std::filesystem::path> config_file;
   std::optional<std::filesystem::path> map_in;   ///< loaded before the first frame
   std::optional<std::filesystem::path> map_out;  ///< written at the end
+  std::optional<std::filesystem::path> render;   ///< video file or folder of pictures
+  bool viewer = false;                           ///< show it in a window
   std::vector<std::string> settings;             ///< key=value, the named shortcuts first, in order
 };
 

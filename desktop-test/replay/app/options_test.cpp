@@ -126,9 +126,17 @@ TEST(Options, EndWithOneOnAMistakeAndZeroOnHelp) {
   EXPECT_EQ(exitCode({"--help"}), kOk);
   const std::string help = testing::internal::GetCapturedStdout();
   EXPECT_THAT(help, HasSubstr("Exit status"));
-  for (const char* later : {"--render", "--report"}) {
-    EXPECT_THAT(help, testing::Not(HasSubstr(later)));
-  }
+  EXPECT_THAT(help, HasSubstr("--render FILE|DIR"));
+}
+
+TEST(Options, NameVideosAndFoldersButNoOtherFilesToRenderTo) {
+  EXPECT_EQ(parsed({"data", "--render", "out/x.mp4"}).render, "out/x.mp4");
+  EXPECT_FALSE(parsed({"data"}).render);
+  EXPECT_FALSE(parsed({"data"}).viewer);
+  EXPECT_TRUE(parsed({"data", "--viewer", "--render", "frames"}).viewer);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(exitCode({"data", "--render", "x.gif"}), kUsage);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("unknown extension .gif"));
 }
 
 }  // namespace

@@ -134,15 +134,20 @@ std::optional<Failure> openInputs(Job& job) {
 }
 
 std::optional<Failure> startSession(Job& job) {
+  const Options& options = job.options;
+  if (options.render || options.viewer) job.config.tracked_points = ReportPoints::on;
   const Status valid = validate(job.config);
   if (!valid) {
     return Failure{kUnreadableInput, job.calibration.origin + ": " + valid.error().message};
   }
   Stopwatch watch;
-  Result<GlBackend> gl = GlBackend::create(job.config.backend, job.options.input);
+  Result<GlBackend> gl = GlBackend::create(
+      {job.config.backend, options.input, options.render.has_value(), options.viewer});
   if (!gl) return Failure{kNoGl, gl.error().message};
   job.gl.emplace(std::move(gl).value());
-  Result<Session> session = Session::create(job.config);
+  Config config = job.config;
+  config.backend = job.gl->sessionBackend();
+  Result<Session> session = Session::create(config);
   if (!session) {
     const bool is_gl = job.config.backend == Backend::gles;
     return Failure{is_gl ? kNoGl : kUnreadableInput, session.error().message};

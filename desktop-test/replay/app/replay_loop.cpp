@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
+
 namespace glide::replay {
 namespace {
 
@@ -45,13 +48,23 @@ void noteCorrection(const FrameRecord& record, RunLog& log) {
                   frame.correction->scale));
 }
 
-Status showTo(const std::vector<std::unique_ptr<FrameObserver>>& watchers,
-              const FrameMoment& moment) {
+using Watchers = std::vector<std::unique_ptr<FrameObserver>>;
+
+Status showTo(const Watchers& watchers, const FrameMoment& moment) {
   for (const auto& watcher : watchers) {
     const Status status = watcher->onFrame(moment);
     if (!status) return status;
   }
   return Unit{};
+}
+
+bool areContent(const Watchers& watchers) {
+  return std::any_of(
+      watchers.begin(), watchers.end(), [](const auto& one) { return one->wantsToStop(); });
+}
+
+Error refused(const Error& error) {
+  return {error.code, "the session refused a frame: " + error.message};
 }
 
 }  // namespace
@@ -66,7 +79,7 @@ Status replayFrames(FrameFeed& feed,
     const Result<FrameInput> input = player.input.make(fed->frame.t_ns, fed->frame.image);
     if (!input) return input.error();
     Result<FrameResult> result = player.session.update(*input);
-    if (!result) return result.error();
+    if (!result) return refused(result.error());
     run.frames.push_back({fed->index, std::move(result).value()});
     const FrameRecord& record = run.frames.back();
     if (record.result.stats.keyframe && run.pace == Pace::lossless) player.session.waitForMapping();
@@ -74,8 +87,11 @@ Status replayFrames(FrameFeed& feed,
     noteCorrection(record, observers.log);
     state = record.result.state;
     observers.progress.show(record, player.session);
+    const auto before = std::chrono::steady_clock::now();
     const Status watched = showTo(observers.watchers, {record, fed->frame, player.session});
     if (!watched) return watched;
+    feed.excuse(std::chrono::steady_clock::now() - before);
+    if (areContent(observers.watchers)) break;
   }
   player.session.waitForMapping();
   run.wall_s = wall.lapMs() * 1e-3;

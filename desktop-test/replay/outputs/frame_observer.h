@@ -38,6 +38,8 @@ class FrameObserver {
   virtual Status onFrame(const FrameMoment& moment) = 0;
   /// Called once, after the last frame, also when the replay was interrupted.
   virtual Status onEnd(const FinishedRun& finished) = 0;
+  /// Whether a person has seen enough: the replay ends after this frame, with everything written.
+  virtual bool wantsToStop() const { return false; }
 };
 
 }  // namespace glide::replay

@@ -1,0 +1,139 @@
+#include "replay/render/framing.h"
+
+#include "replay/outputs/run_trajectories.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace glide::replay {
+namespace {
+
+constexpr double kViewSlope = 0.7;  // tangent of the half field of view that counts as "before"
+constexpr double kDepthCut = 2.0;   // in median depths: what is farther would only shrink the rest
+constexpr double kShown = 0.9;      // share of the landmarks within the radius; the rest strays
+constexpr double kCameraMargin = 1.1;  // so that cameras do not touch the picture's edge
+constexpr std::size_t kRecentKeyframes = 10;
+constexpr double kUprightPrior = 0.02;  // of the mean upward axis against the level x axes
+
+Vec3d point(const MapView::Landmark& landmark) {
+  return {landmark.p_world[0], landmark.p_world[1], landmark.p_world[2]};
+}
+
+/// The value that a share of the values does not exceed. Not empty; reorders.
+double quantile(std::vector<double>& values, double share) {
+  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
+}
+
+Vec3d medianOf(const std::vector<Vec3d>& points) {
+  Vec3d median;
+  std::vector<double> values(points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    std::transform(
+        points.begin(), points.end(), values.begin(), [&](const Vec3d& p) { return p[axis]; });
+    median[axis] = quantile(values, 0.5);
+  }
+  return median;
+}
+
+/// Landmarks that a camera would see if nothing hid them, without the far ones.
+std::vector<Vec3d> pointsBefore(const MapView& map, const SE3d& T_world_cam) {
+  const SE3d T_cam_world = T_world_cam.inverse();
+  std::vector<Vec3d> points;
+  std::vector<double> depths;
+  for (const MapView::Landmark& landmark : map.landmarks) {
+    const Vec3d p_cam = T_cam_world * point(landmark);
+    if (p_cam.head<2>().norm() > kViewSlope * p_cam.z()) continue;
+    points.push_back(point(landmark));
+    depths.push_back(p_cam.z());
+  }
+  if (points.empty()) return points;
+  std::vector<double> sorted = depths;
+  const double cut = kDepthCut * quantile(sorted, 0.5);
+  std::vector<Vec3d> near;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (depths[i] <= cut) near.push_back(points[i]);
+  }
+  return near;
+}
+
+std::vector<Vec3d> keyframePositions(const MapView& map, std::size_t newest) {
+  std::vector<Vec3d> positions;
+  for (auto key = map.keyframes.rbegin(); key != map.keyframes.rend(); ++key) {
+    if (positions.size() == newest) break;
+    if (!key->retired) positions.push_back(toSE3(key->T_world_cam).t);
+  }
+  return positions;
+}
+
+/// The radius around the focus that holds every camera and most landmarks.
+double radiusOf(const Vec3d& focus,
+                const std::vector<Vec3d>& landmarks,
+                const std::vector<Vec3d>& cameras) {
+  std::vector<double> distances;
+  distances.reserve(landmarks.size());
+  for (const Vec3d& p : landmarks) distances.push_back((p - focus).norm());
+  double radius = quantile(distances, kShown);
+  for (const Vec3d& p : cameras) radius = std::max(radius, kCameraMargin * (p - focus).norm());
+  return radius;
+}
+
+}  // namespace
+
+std::optional<Framing> frameAround(const MapView& map, const SE3d& T_world_cam) {
+  const std::vector<Vec3d> points = pointsBefore(map, T_world_cam);
+  if (points.empty()) return std::nullopt;
+  Framing framing;
+  framing.focus = 0.5 * (T_world_cam.t + medianOf(points));
+  std::vector<Vec3d> cameras = keyframePositions(map, kRecentKeyframes);
+  cameras.push_back(T_world_cam.t);
+  // A path that leads away must not make the picture ever wider: old parts may leave it.
+  const double reach = 2.0 * radiusOf(framing.focus, points, {T_world_cam.t});
+  cameras.erase(std::remove_if(cameras.begin(),
+                               cameras.end(),
+                               [&](const Vec3d& p) { return (p - framing.focus).norm() > reach; }),
+                cameras.end());
+  framing.radius = radiusOf(framing.focus, points, cameras);
+  framing.up = upOf(map);
+  framing.ahead = T_world_cam.q * Vec3d::UnitZ();
+  return framing;
+}
+
+std::optional<Framing> frameAll(const MapView& map) {
+  if (map.landmarks.empty()) return std::nullopt;
+  std::vector<Vec3d> points;
+  points.reserve(map.landmarks.size());
+  for (const MapView::Landmark& landmark : map.landmarks) points.push_back(point(landmark));
+  Framing framing;
+  framing.focus = medianOf(points);
+  framing.radius = radiusOf(framing.focus, points, keyframePositions(map, map.keyframes.size()));
+  framing.up = upOf(map);
+  if (!map.keyframes.empty()) {
+    framing.ahead = toSE3(map.keyframes.back().T_world_cam).q * Vec3d::UnitZ();
+  }
+  return framing;
+}
+
+Vec3d upOf(const MapView& map) {
+  Mat3d level = Mat3d::Zero();
+  Vec3d upward = Vec3d::Zero();
+  for (const MapView::Keyframe& key : map.keyframes) {
+    const Mat3d R_world_cam = toSE3(key.T_world_cam).rotation();
+    level += R_world_cam.col(0) * R_world_cam.col(0).transpose();
+    upward -= R_world_cam.col(1);
+  }
+  if (upward.norm() == 0.0) return -Vec3d::UnitY();
+  upward.normalize();
+  // The direction that the x axes and the deviation from `upward` have least of.
+  const double count = static_cast<double>(map.keyframes.size());
+  const Mat3d cost =
+      level / count + kUprightPrior * (Mat3d::Identity() - upward * upward.transpose());
+  const Vec3d up = Eigen::SelfAdjointEigenSolver<Mat3d>(cost).eigenvectors().col(0);
+  return up.dot(upward) < 0.0 ? Vec3d(-up) : up;
+}
+
+}  // namespace glide::replay

@@ -1,0 +1,111 @@
+#include "replay/render/split_view.h"
+
+#include "replay/outputs/run_trajectories.h"
+#include "replay/render/framing.h"
+
+#include <utility>
+
+namespace glide::replay {
+namespace {
+
+constexpr int kTruthEvery = 10;       // frames: aligning anew is seen but costs
+constexpr double kFieldOfView = 0.8;  // radians: little distortion at the edges
+
+Lens lensOf(const Viewport& scene) {
+  return {kFieldOfView, static_cast<double>(scene.width) / scene.height};
+}
+
+/// Without a depth of its own a line or a point says little: every frame's frustum shows who
+/// placed it.
+MapStyle styleOfScene() {
+  MapStyle style;
+  style.frame_frusta = true;
+  return style;
+}
+
+}  // namespace
+
+Result<SplitView> SplitView::create(const SplitViewSetup& setup) {
+  auto map = MapRenderer::create(GlStatePolicy::preserve);
+  if (!map) return map.error();
+  auto picture = CameraRenderer::create(GlStatePolicy::preserve, setup.camera);
+  if (!picture) return picture.error();
+  auto strip = CameraRenderer::create(GlStatePolicy::preserve, setup.camera);
+  if (!strip) return strip.error();
+  return SplitView(setup, {std::move(*map), std::move(*picture), std::move(*strip)});
+}
+
+SplitView::SplitView(const SplitViewSetup& setup, Renderers renderers)
+    : renderers_(std::move(renderers)),
+      camera_{setup.camera.width, setup.camera.height},
+      timeline_(setup.frames),
+      truth_(setup.truth),
+      map_(std::make_shared<MapView>()) {
+  renderers_.map.setStyle(styleOfScene());
+  renderers_.map.setIntrinsics(setup.camera);
+}
+
+void SplitView::show(const FrameMoment& moment) {
+  const FrameResult& frame = moment.record.result;
+  keepPicture(moment.frame);
+  points_ = moment.session.trackedPoints();
+  tracker_ = frame.tracker;
+  timeline_.add(frame);
+  truth_.add(moment.record);
+  showMap(moment);
+  renderers_.map.addFrame(frame);
+  if (shown_frames_++ % kTruthEvery == 0) renderers_.map.setTruth(truth_.alignedTo(map_));
+  if (frame.state != TrackingState::tracking) return;
+  const auto framing = frameAround(*map_, toSE3(frame.T_world_cam));
+  if (framing) flight_.follow(*framing, static_cast<double>(frame.t_ns) * 1e-9);
+}
+
+void SplitView::showMap(const FrameMoment& moment) {
+  if (moment.record.result.map_revision == map_->revision && !map_->keyframes.empty()) return;
+  const std::shared_ptr<const MapView> before = std::exchange(map_, moment.session.map());
+  if (map_->resets != before->resets) flight_.jump();
+  renderers_.map.setMap(map_);
+  if (map_->corrected_camera) renderers_.map.setIntrinsics(*map_->corrected_camera);
+}
+
+/// A copy: a viewer draws the frame again when it is long gone.
+void SplitView::keepPicture(const SourceFrame& frame) {
+  color_ = {frame.color.width, frame.color.height, frame.color.rgb};
+  if (color_.rgb.empty()) gray_ = frame.image;
+}
+
+std::optional<Orbit> SplitView::shownFrom(const PictureSize& size,
+                                          const ViewControl& control) const {
+  const SplitLayout layout = splitLayout(size, camera_);
+  const std::optional<Orbit> flight = flight_.orbit(lensOf(layout.scene));
+  if (!flight) return flight;
+  return control.apply(*flight);
+}
+
+Status SplitView::draw(const PictureSize& size, const ViewControl& control) {
+  const SplitLayout layout = splitLayout(size, camera_);
+  for (const Status& drawn : {drawPicture(layout.picture), drawTimeline(layout.timeline)}) {
+    if (!drawn) return drawn;
+  }
+  const std::optional<Orbit> orbit = shownFrom(size, control);
+  if (!orbit) return Unit{};
+  const Status map = renderers_.map.drawMiniMap(layout.mini_map);
+  if (!map) return map;
+  return renderers_.map.draw(viewOf(*orbit, lensOf(layout.scene)), layout.scene);
+}
+
+Status SplitView::drawPicture(const Viewport& viewport) {
+  const Picture picture =
+      color_.rgb.empty()
+          ? Picture(Luma{gray_.row(0), gray_.width(), gray_.height(), gray_.stride()})
+          : Picture(viewOf(color_));
+  const Status drawn = renderers_.picture.drawPicture(picture, viewport);
+  return drawn ? renderers_.picture.drawPoints(points_, tracker_, viewport) : drawn;
+}
+
+Status SplitView::drawTimeline(const Viewport& viewport) {
+  const RgbPicture strip = timeline_.paint(viewport.width, viewport.height);
+  return renderers_.strip.drawPicture(viewOf(strip), viewport);
+}
+
+}  // namespace glide::replay

@@ -1,0 +1,63 @@
+#include "replay/render/video_recorder.h"
+
+#include "base/stopwatch.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace glide::replay {
+namespace {
+
+constexpr PictureSize kSize{1280, 720};  // even sides: what video encoders want
+
+}  // namespace
+
+Result<std::unique_ptr<FrameObserver>> VideoRecorder::create(const RecorderSetup& setup) {
+  Result<SplitView> view = SplitView::create(setup.view);
+  if (!view) return view.error();
+  Result<RenderTarget> target = RenderTarget::create(kSize.width, kSize.height);
+  if (!target) return target.error();
+  Result<std::unique_ptr<FrameSink>> sink = openFrameSink(setup.path, kSize);
+  if (!sink) return sink.error();
+  return std::unique_ptr<FrameObserver>(
+      new VideoRecorder(setup, std::move(*view), std::move(*target), std::move(*sink)));
+}
+
+VideoRecorder::VideoRecorder(const RecorderSetup& setup,
+                             SplitView view,
+                             RenderTarget target,
+                             std::unique_ptr<FrameSink> sink)
+    : path_(setup.path),
+      tell_(setup.tell),
+      view_(std::move(view)),
+      target_(std::move(target)),
+      sink_(std::move(sink)) {}
+
+Status VideoRecorder::onFrame(const FrameMoment& moment) {
+  Stopwatch watch;
+  view_.show(moment);
+  target_.begin(kPaperColor);
+  const Status drawn = view_.draw(kSize, ViewControl());
+  if (!drawn) return drawn;
+  const RgbPicture picture{kSize.width, kSize.height, target_.readRgb()};
+  drawn_ms_ += watch.lapMs();
+  const Status written = sink_->write(picture, moment.record.result.t_ns);
+  written_ms_ += watch.lapMs();
+  return written;
+}
+
+Status VideoRecorder::onEnd(const FinishedRun& finished) {
+  const Status whole = sink_->finish();
+  if (!whole) return whole;
+  const std::size_t frames = finished.run.frames.size();
+  if (frames == 0) return Unit{};
+  tell_(fmt::format("{}: {} frames (drawing {:.1f} ms, encoding {:.1f} ms per frame)",
+                    path_.string(),
+                    frames,
+                    drawn_ms_ / static_cast<double>(frames),
+                    written_ms_ / static_cast<double>(frames)));
+  return Unit{};
+}
+
+}  // namespace glide::replay
