@@ -3,8 +3,12 @@
 
 #include "glide/glide.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <future>
+#include <string>
 #include <thread>
 
 namespace glide::test {
@@ -20,6 +24,10 @@ class CSessionInContext : public GlTest {
     config.backend = GLIDE_BACKEND_GLES;
     config.execution = GLIDE_EXECUTION_INLINE;
     config.camera = toC(sequence_.config().camera);
+    config.log_user = &log_;
+    config.log = [](void* user, std::int32_t, const char* message) {
+      *static_cast<std::string*>(user) += std::string(message) + "\n";
+    };
     ASSERT_EQ(glide_session_create(&config, &session_), GLIDE_OK) << glide_last_error();
   }
   void TearDown() override {
@@ -47,6 +55,7 @@ class CSessionInContext : public GlTest {
   }
 
   SequenceFixture sequence_;
+  std::string log_;
   glide_session* session_ = nullptr;
   std::int64_t t_ns_ = 0;
 };
@@ -66,6 +75,37 @@ TEST_F(CSessionInContext, BelongsToTheThreadOfItsFirstUpdateUntilItLetsGo) {
   std::thread([&] { status = update(); }).join();
   EXPECT_EQ(status, GLIDE_ERROR_MISSING_GL_CONTEXT);  // its own thread now, but without a context
   EXPECT_EQ(update(), GLIDE_OK) << glide_last_error();
+}
+
+/// A write callback's app, which is still writing when the session is destroyed.
+struct SlowWriter {
+  glide_session* session = nullptr;
+  std::promise<void> has_begun;
+
+  std::size_t write(std::size_t size) {
+    has_begun.set_value();
+    glide_backend_info info;
+    GLIDE_INIT(info);
+    while (glide_session_backend(session, &info) == GLIDE_OK) std::this_thread::yield();
+    return size;
+  }
+};
+
+TEST_F(CSessionInContext, EndsOnTheThreadThatDestroysItThoughAnotherIsInACall) {
+  ASSERT_EQ(update(), GLIDE_OK) << glide_last_error();
+  SlowWriter writer;
+  writer.session = session_;
+  glide_io io;
+  GLIDE_INIT(io);
+  io.user = &writer;
+  io.write = [](void* user, const void*, std::size_t size) {
+    return static_cast<SlowWriter*>(user)->write(size);
+  };
+  std::thread saver([&] { EXPECT_EQ(glide_map_save_io(session_, &io), GLIDE_OK); });
+  writer.has_begun.get_future().wait();
+  glide_session_destroy(session_);
+  saver.join();
+  EXPECT_THAT(log_, testing::Not(testing::HasSubstr("leaked")));
 }
 
 }  // namespace

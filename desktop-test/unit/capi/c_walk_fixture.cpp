@@ -11,20 +11,27 @@ namespace {
 constexpr std::int64_t kFrame_ns = 33'333'333;
 constexpr double kStep_m = 0.01;
 constexpr const char* kStartsSoon = "initialization.min_matches=60";
+
+glide_config configOf(std::int32_t axes, std::int32_t execution) {
+  glide_config config = sized<glide_config>();
+  config.axes = axes;
+  config.execution = execution;
+  return config;
+}
 }  // namespace
 
 CWalk::CWalk(std::int32_t axes) : CWalk(axes, GLIDE_EXECUTION_INLINE) {}
 
-CWalk::CWalk(std::int32_t axes, std::int32_t execution) : CWalk(axes, execution, {kStartsSoon}) {}
+CWalk::CWalk(std::int32_t axes, std::int32_t execution) : CWalk(configOf(axes, execution)) {}
 
 CWalk::CWalk(const char* setting)
-    : CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_INLINE, {kStartsSoon, setting}) {}
+    : CWalk(configOf(GLIDE_AXES_GL, GLIDE_EXECUTION_INLINE), {kStartsSoon, setting}) {}
 
-CWalk::CWalk(std::int32_t axes, std::int32_t execution, std::vector<const char*> settings)
-    : settings_(std::move(settings)), config_(sized<glide_config>()) {
+CWalk::CWalk(const glide_config& wishes) : CWalk(wishes, {kStartsSoon}) {}
+
+CWalk::CWalk(const glide_config& wishes, std::vector<const char*> settings)
+    : settings_(std::move(settings)), config_(wishes) {
   config_.backend = GLIDE_BACKEND_CPU;
-  config_.execution = execution;
-  config_.axes = axes;
   config_.setting_count = static_cast<std::uint32_t>(settings_.size());
   config_.settings = settings_.data();
   config_.camera = toC(sequence_.config().camera);

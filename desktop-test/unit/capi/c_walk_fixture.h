@@ -17,6 +17,8 @@ class CWalk {
   explicit CWalk(std::int32_t axes);
   /// The same with GLIDE_EXECUTION_*.
   CWalk(std::int32_t axes, std::int32_t execution);
+  /// The same with the axes, execution, log and log_user of a config.
+  explicit CWalk(const glide_config& wishes);
   /// GL axes and one setting more, "key=value"; it must outlive this.
   explicit CWalk(const char* setting);
   ~CWalk();
@@ -35,7 +37,7 @@ class CWalk {
   const SequenceFixture& sequence() const { return sequence_; }
 
  private:
-  CWalk(std::int32_t axes, std::int32_t execution, std::vector<const char*> settings);
+  CWalk(const glide_config& wishes, std::vector<const char*> settings);
 
   SequenceFixture sequence_;
   std::vector<const char*> settings_;

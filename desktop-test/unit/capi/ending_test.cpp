@@ -1,0 +1,114 @@
+// How sessions end: destroyed while they are in use, by their own callbacks, and left to the exit.
+#include "unit/capi/c_walk_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <future>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace glide::test {
+namespace {
+
+glide_status backend(glide_session* session) {
+  glide_backend_info info = sized<glide_backend_info>();
+  return glide_session_backend(session, &info);
+}
+
+void waitUntilClosed(glide_session* session) {
+  while (backend(session) != GLIDE_ERROR_SESSION_CLOSED) std::this_thread::yield();
+}
+
+/// Saves the map of a session through a callback that calls back.
+template <class Callback>
+glide_status saveThrough(glide_session* session, Callback* callback) {
+  glide_io io = sized<glide_io>();
+  io.user = callback;
+  io.write = [](void* user, const void*, std::size_t size) {
+    (*static_cast<Callback*>(user))();
+    return size;
+  };
+  return glide_map_save_io(session, &io);
+}
+
+TEST(CDestroy, WaitsForTheCallsThatAreUnderWay) {
+  const CWalk walk(GLIDE_AXES_GL);
+  std::promise<void> is_inside;
+  std::atomic<bool> is_done{false};
+  auto callback = [&] {
+    is_inside.set_value();
+    waitUntilClosed(walk.session());  // destroy has begun
+    is_done = true;
+  };
+  std::thread saver([&] { EXPECT_EQ(saveThrough(walk.session(), &callback), GLIDE_OK); });
+  is_inside.get_future().wait();
+  glide_session_destroy(walk.session());
+  EXPECT_TRUE(is_done);
+  saver.join();
+}
+
+TEST(CDestroy, OfACallbackTakesEffectWhenItsCallEnds) {
+  const CWalk walk(GLIDE_AXES_GL);
+  auto callback = [&] { glide_session_destroy(walk.session()); };
+  EXPECT_EQ(saveThrough(walk.session(), &callback), GLIDE_OK);
+  EXPECT_EQ(backend(walk.session()), GLIDE_ERROR_SESSION_CLOSED);
+}
+
+TEST(CDestroy, MayComeWhileThreadsCall) {
+  CWalk walk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
+  walk.walk(10);
+  std::vector<std::thread> callers;
+  for (int i = 0; i < 3; ++i) callers.emplace_back([&walk] { waitUntilClosed(walk.session()); });
+  callers.emplace_back([&walk] {
+    while (walk.status() == GLIDE_OK) walk.feed(0.1);
+    EXPECT_EQ(walk.status(), GLIDE_ERROR_SESSION_CLOSED);
+  });
+  glide_session_destroy(walk.session());
+  for (std::thread& caller : callers) caller.join();
+}
+
+// What a process does that ends without destroying its session. The handler was registered before
+// the library's: it runs after that.
+glide_session* session_of_exit = nullptr;
+
+void callAtExit() {
+  glide_status status = GLIDE_OK;
+  std::thread([&] { status = backend(session_of_exit); }).join();
+  if (status != GLIDE_ERROR_SESSION_CLOSED) _exit(2);
+}
+
+[[noreturn]] void exitWithAnOpenSession() {
+  std::atexit(callAtExit);
+  auto* walk = new CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
+  session_of_exit = walk->session();
+  walk->walk(20);
+  std::exit(0);
+}
+
+[[noreturn]] void exitInTheMiddleOfUpdates() {
+  auto* walk = new CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
+  std::promise<void> has_begun;
+  std::thread([&] {
+    walk->walk(5);
+    has_begun.set_value();
+    while (walk->status() == GLIDE_OK) walk->feed(0.05);
+  }).detach();
+  has_begun.get_future().wait();
+  std::exit(0);
+}
+
+TEST(CExitDeathTest, FindsAnOpenSessionClosed) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(exitWithAnOpenSession(), testing::ExitedWithCode(0), "");
+}
+
+TEST(CExitDeathTest, MayComeInTheMiddleOfAnUpdate) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(exitInTheMiddleOfUpdates(), testing::ExitedWithCode(0), "");
+}
+
+}  // namespace
+}  // namespace glide::test
