@@ -4,6 +4,7 @@
 #include "replay/common/text.h"
 #include "replay/evaluation/evaluate.h"
 #include "replay/outputs/frames_csv.h"
+#include "replay/outputs/map_glb.h"
 #include "replay/outputs/map_ply.h"
 #include "replay/outputs/statistics.h"
 #include "replay/outputs/stats_json.h"
@@ -46,7 +47,8 @@ std::optional<Failure> endWatchers(const Job& job, const FrameCounts& counts) {
   if (job.truth) truth = truthInFrame(*job.truth, RigFrame::camera, job.calibration.T_body_cam);
   for (const auto& watcher : job.watchers) {
     const Status status =
-        watcher->onEnd({job.run, job.trajectories, counts, job.accuracy, truth, job.output});
+        watcher->onEnd(
+            {job.run, job.trajectories, counts, job.accuracy, truth, job.output, job.colors});
     if (!status) return Failure{kUnreadableInput, status.error().message};
   }
   return std::nullopt;
@@ -129,7 +131,8 @@ std::optional<Failure> writeOutputs(Job& job) {
                                {"trajectory_live.tum", tumText(job.written.live)},
                                {"keyframes.tum", tumText(job.written.keyframes)},
                                {"frames.csv", framesCsv(job.run)},
-                               {"map.ply", mapPly(*job.run.map)},
+                               {"map.ply", mapPly(*job.run.map, job.colors)},
+                               {"map.glb", mapGlb(job.run, job.trajectories, job.colors)},
                                {"stats.json", stats}})) {
     return failure;
   }

@@ -7,6 +7,7 @@
 #include "replay/evaluation/accuracy.h"
 #include "replay/evaluation/trajectory.h"
 #include "replay/outputs/frame_observer.h"
+#include "replay/outputs/point_colors.h"
 #include "replay/outputs/run_trajectories.h"
 #include "replay/readers/open_source.h"
 
@@ -42,6 +43,7 @@ struct Job {
   RunTrajectories trajectories;
   Estimates written;  ///< the trajectories in the frame that --trajectory-frame asks for
   std::optional<Accuracy> accuracy;
+  PointColors colors;  ///< of the landmarks
   std::vector<std::unique_ptr<FrameObserver>> watchers;  ///< die first: they may use the GL context
 };
 

@@ -135,7 +135,11 @@ std::optional<Failure> openInputs(Job& job) {
 
 std::optional<Failure> startSession(Job& job) {
   const Options& options = job.options;
-  if (options.render || options.viewer) job.config.tracked_points = ReportPoints::on;
+  if (options.render || options.viewer) {
+    job.config.tracked_points = ReportPoints::on;
+  } else if (job.config.tracked_points == ReportPoints::off) {
+    job.config.tracked_points = ReportPoints::indirect;  // the map's colours
+  }
   const Status valid = validate(job.config);
   if (!valid) {
     return Failure{kUnreadableInput, job.calibration.origin + ": " + valid.error().message};

@@ -87,6 +87,7 @@ TEST_F(ReplayProgram, TracksARenderedSequenceAndWritesAllFiles) {
                            "frames.csv",
                            "groundtruth.tum",
                            "map.ply",
+                           "map.glb",
                            "log.txt"}) {
     EXPECT_FALSE(output(name).empty()) << name;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "replay/evaluation/accuracy.h"
+#include "replay/outputs/point_colors.h"
 #include "replay/outputs/run_record.h"
 #include "replay/outputs/run_trajectories.h"
 #include "replay/outputs/statistics.h"
@@ -27,6 +28,7 @@ struct FinishedRun {
   const std::optional<Accuracy>& accuracy;
   const std::optional<Trajectory>& truth;  ///< of the camera, metres
   std::filesystem::path output;            ///< folder
+  const PointColors& colors;
 };
 
 /// Something that looks at a replay while it runs, to make a picture, a video or a file of it.

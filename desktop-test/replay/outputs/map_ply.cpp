@@ -21,7 +21,7 @@ std::uint32_t bitsOf(double value) {
 
 }  // namespace
 
-std::string mapPly(const MapView& map) {
+std::string mapPly(const MapView& map, const PointColors& colors) {
   std::string text =
       "ply\n"
       "format binary_little_endian 1.0\n"
@@ -34,10 +34,16 @@ std::string mapPly(const MapView& map) {
       "property float x\n"
       "property float y\n"
       "property float z\n"
+      "property uchar red\n"
+      "property uchar green\n"
+      "property uchar blue\n"
       "property int observations\n"
       "end_header\n";
   for (const MapView::Landmark& landmark : map.landmarks) {
     for (const double coordinate : landmark.p_world) append(bitsOf(coordinate), &text);
+    const Rgb8 color = colors.of(landmark.id);
+    for (const std::uint8_t share : {color.red, color.green, color.blue})
+      text.push_back(static_cast<char>(share));
     append(static_cast<std::uint32_t>(landmark.observations), &text);
   }
   return text;

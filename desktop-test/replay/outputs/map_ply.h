@@ -1,5 +1,7 @@
 #pragma once
 
+#include "replay/outputs/point_colors.h"
+
 #include "glide/map_view.h"
 
 #include <string>
@@ -7,7 +9,8 @@
 namespace glide::replay {
 
 /// map.ply: the landmarks as a point cloud, binary little-endian PLY. A vertex is `float x y z` in
-/// the map's world and `int observations`, the number of keyframes that see it.
-std::string mapPly(const MapView& map);
+/// the map's world, `uchar red green blue` and `int observations`, the number of keyframes that see
+/// it.
+std::string mapPly(const MapView& map, const PointColors& colors);
 
 }  // namespace glide::replay

@@ -38,9 +38,9 @@ MapView thinned(const MapView& map) {
   return few;
 }
 
-Json mapJson(const MapView& map) {
+Json mapJson(const MapView& map, const PointColors& colors) {
   const bool is_large = map.landmarks.size() > kMaxReportLandmarks;
-  const std::string ply = is_large ? mapPly(thinned(map)) : mapPly(map);
+  const std::string ply = mapPly(is_large ? thinned(map) : map, colors);
   return {{"landmarks", map.landmarks.size()},
           {"shown", std::min(map.landmarks.size(), kMaxReportLandmarks)},
           {"ply", base64OfText(ply)}};
@@ -122,7 +122,7 @@ Json reportData(const FinishedRun& finished, const std::vector<Thumbnail>& pictu
           {"stats", statsJson(run, finished.counts, finished.accuracy)},
           {"frames", reportFrames(run, finished.trajectories)},
           {"trajectory", tumText(finished.trajectories.camera.recomposed)},
-          {"map", mapJson(*run.map)},
+          {"map", mapJson(*run.map, finished.colors)},
           {"keyframes", keyframesJson(run)},
           {"loops", loopsJson(*run.map)},
           {"truth", truthJson(finished)},
