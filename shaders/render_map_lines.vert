@@ -12,7 +12,7 @@ layout(location = 2) in vec4 end_color;  // alpha 0: no line
 void main() {
   vec3 begin_eye = toEye(begin_world);
   vec3 end_eye = toEye(end_world);
-  float fade = mix(0.5, 1.0, nearness(0.5 * (begin_eye + end_eye)));
+  float fade = mix(0.7, 1.0, nearness(0.5 * (begin_eye + end_eye)));
   drawStroke(clip_from_eye * vec4(begin_eye, 1.0),
              clip_from_eye * vec4(end_eye, 1.0),
              gl_VertexID,
