@@ -73,7 +73,8 @@ class CameraRenderer::Impl {
 
  private:
   FrameSize cameraSize() const { return {camera_.width(), camera_.height()}; }
-  /// Makes the objects, unless they are in the context that is current.
+  /// Makes the objects, unless they are in the context that is current, and looks where they are
+  /// to draw.
   Status settle();
   Status drawShapes(const PictureLayout& layout);
 
@@ -86,12 +87,12 @@ class CameraRenderer::Impl {
 };
 
 Status CameraRenderer::Impl::settle() {
-  if (objects_ && objects_->home.isHere()) return Unit{};
+  if (objects_ && objects_->home.isHere()) return checkFramebuffer();
   Result<CameraObjects> made = CameraObjects::create(policy_);
   if (!made) return made.error();
   abandonGl();
   objects_.emplace(std::move(*made));
-  return Unit{};
+  return checkFramebuffer();
 }
 
 Status CameraRenderer::Impl::drawPicture(const Picture& picture, const Viewport& viewport) {

@@ -13,6 +13,11 @@ RenderVisit::RenderVisit(GlHome* home, GlStatePolicy policy)
   vertices_ = GlName<deleteVertexArray>(name);
 }
 
+Status checkFramebuffer() {
+  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return Unit{};
+  return Error{ErrorCode::invalid_argument, "no complete framebuffer is bound for drawing"};
+}
+
 void setBlending(Blending blending) {
   const bool of_each = hasStateOfEachDrawBuffer();
   if (blending == Blending::on) {

@@ -5,6 +5,8 @@
 #include "gpu/gl_home.h"
 #include "gpu/gl_raster_state.h"
 
+#include "glide/result.h"
+
 namespace glide {
 
 /// One call of a renderer in the app's context: its state, the order of what contexts submit, and a
@@ -20,6 +22,10 @@ class RenderVisit {
   ScopedRenderState state_;
   GlName<deleteVertexArray> vertices_;
 };
+
+/// invalid_argument when what is bound for drawing is no complete framebuffer, such as that of a
+/// context without a surface: drawing would raise an error.
+Status checkFramebuffer();
 
 /// glEnable or glDisable (GL_BLEND) of draw buffer 0.
 enum class Blending { off, on };

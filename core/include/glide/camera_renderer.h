@@ -32,7 +32,8 @@ class GLIDE_API CameraRenderer {
   CameraRenderer& operator=(CameraRenderer&&) noexcept;
   ~CameraRenderer();
 
-  /// The picture alone. invalid_argument when it has no pixels or the viewport none; unsupported
+  /// The picture alone. invalid_argument when it has no pixels or the viewport none, for a texture
+  /// that Session::update would not take, either, and without a complete framebuffer; unsupported
   /// for an external texture in a context without the extension.
   Status drawPicture(const Picture& picture, const Viewport& viewport);
   /// Points over the picture drawn last, in the same viewport: green where they agree, over yellow
