@@ -3,7 +3,7 @@ import pathlib
 import unittest
 
 import check_sizes
-from cpp_functions import Function, functions
+from cpp_functions import Function, functions, java_functions
 
 SAMPLE = """
 #include <vector>  // { braces in comments do not count
@@ -37,6 +37,30 @@ TEST(Pose, HasANorm) {
 """
 
 
+JAVA = """
+package io.example;
+/** A {@code brace {} in a comment. */
+@RunWith(Runner.class)
+public final class Session implements AutoCloseable {
+  private final Map<String, Integer> map = new HashMap<>();
+  @Test
+  @DisplayName("says (this) and {that}")
+  void works() throws IOException {
+    Runnable step = () -> {
+      run();
+    };
+  }
+  public @interface Wanted {}
+  record Line(long time, double[] pose) {}
+  interface Source {
+    default int size() { return 0; }
+  }
+  // NOLINTNEXTLINE(readability-function-size): the numbers of a pose
+  Session(int a, int b) {}
+}
+"""
+
+
 def function_of_lines(count):
     return "void f() {\n" + "  g();\n" * (count - 2) + "}\n"
 
@@ -57,6 +81,10 @@ class FindFunctions(unittest.TestCase):
     def test_reads_glsl(self):
         shader = "layout(std430, binding = 0) buffer B { float x[]; };\nvoid main() {\n  x[0] = 1.0;\n}\n"
         self.assertEqual(functions(shader), [Function("main", 2, 3, 0)])
+
+
+    def test_reads_java_without_its_annotations(self):
+        self.assertEqual(java_functions(JAVA), [Function("works", 9, 5, 0), Function("size", 17, 1, 0), Function("Session", 20, 1, 2)])
 
 
 class CheckSizes(unittest.TestCase):
@@ -80,6 +108,12 @@ class CheckSizes(unittest.TestCase):
     def test_accepts_what_a_foreign_interface_dictates(self):
         callback = "void f(int a, int b, int c, int d, int e, int g) {}\n"
         self.assertEqual(self.faults("// NOLINTNEXTLINE(readability-function-size): GL's signature\n" + callback), [])
+
+    def test_measures_java_too(self):
+        self.assertIn("f has 61 lines", self.faults("class A {\n" + function_of_lines(61) + "}\n", "A.java")[0])
+
+    def test_measures_files_of_the_web(self):
+        self.assertIn("301 lines", self.faults("\n" * 301, "a.js")[0])
 
     def test_measures_python_too(self):
         text = "def f(a):\n" + "    a += 1\n" * 61

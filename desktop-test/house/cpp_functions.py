@@ -1,4 +1,4 @@
-"""Finds the functions of C++ and GLSL sources: name, first line, length, parameters.
+"""Finds the functions of C++, GLSL and Java sources: name, first line, length, parameters.
 
 No compiler: it follows braces and looks at what stands before each. That is enough for formatted code.
 """
@@ -22,6 +22,10 @@ NOISE = re.compile(
 TYPE_HEAD = re.compile(r"\b(namespace|class|struct|union|enum)\b[^()]*$")
 PREFIX = re.compile(r"^(template\s*<[^{}]*?>\s*(?=[\w:\[])|layout\s*\([^)]*\))")
 NAME = re.compile(r"(operator\s*\(\)|operator\s*[^\s(]+|~?[\w:~]+)\s*\($")
+
+
+JAVA_TYPE = re.compile(r"@?\binterface\b|\brecord\b(?=\s+\w+)(?:(?P<name>\s+\w+)\s*\([^()]*\))?")
+ANNOTATION = re.compile(r"@(?!interface\b)[\w.]+(\s*\((?:[^()]|\([^()]*\))*\))?")
 
 
 def blank(text):
@@ -94,3 +98,9 @@ def functions(source):
             start = i + 1
         i += 1
     return found
+
+
+def java_functions(source):
+    """The methods, measured from the line behind their annotations."""
+    text = ANNOTATION.sub(lambda match: "\n" * match.group().count("\n"), blank(source))
+    return functions(JAVA_TYPE.sub(lambda match: "class" + (match.group("name") or ""), text))

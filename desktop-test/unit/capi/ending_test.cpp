@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <future>
+#include <malloc.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -69,6 +70,31 @@ TEST(CDestroy, MayComeWhileThreadsCall) {
   glide_session_destroy(walk.session());
   for (std::thread& caller : callers) caller.join();
 }
+
+// Sanitizers bring an allocator of their own, and other C libraries do not count.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+std::size_t bytesInUse() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+TEST(CDestroy, LeavesNothingBehind) {
+  constexpr int kWarmUp = 10;
+  constexpr int kCycles = 60;
+  const SequenceFixture sequence;
+  const ImageU8 image = sequence.imageAt(0.0);
+  std::size_t before = 0;
+  for (int i = 0; i < kWarmUp + kCycles; ++i) {
+    if (i == kWarmUp) before = bytesInUse();
+    CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED).feed(image);
+  }
+  // What the threads of the last session cached may be more or less than a few small pieces.
+  constexpr std::size_t kNoise = 4096;
+  EXPECT_LE(bytesInUse(), before + kNoise) << "in " << kCycles << " sessions";
+}
+
+#endif
 
 // What a process does that ends without destroying its session. The handler was registered before
 // the library's: it runs after that.

@@ -27,11 +27,13 @@ public final class CameraIntrinsics {
   private final double[] coefficients;
 
   /** A pinhole camera; all in pixels. */
+  // NOLINTNEXTLINE(readability-function-size): a calibration is so many numbers
   public CameraIntrinsics(int width, int height, double fx, double fy, double cx, double cy) {
     this(width, height, fx, fy, cx, cy, Distortion.NONE);
   }
 
   /** With a lens; all in pixels but the coefficients. */
+  // NOLINTNEXTLINE(readability-function-size): as above
   public CameraIntrinsics(
       int width, int height, double fx, double fy, double cx, double cy,
       Distortion distortion, double... coefficients) {

@@ -33,6 +33,7 @@ public final class Pose {
     return values;
   }
 
+  // NOLINTNEXTLINE(readability-function-size): a pose is so many numbers
   private Pose(double tx, double ty, double tz, double qx, double qy, double qz, double qw) {
     double norm = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
     if (!(norm > 0)) {

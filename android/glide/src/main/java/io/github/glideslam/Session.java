@@ -1,11 +1,8 @@
 package io.github.glideslam;
 
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -26,18 +23,17 @@ import java.util.concurrent.atomic.AtomicLong;
  *   <tr><td>{@link Frame}, {@link Camera}, {@link FrameStats}</td><td>the thread that calls update:
  *     update fills them again</td></tr>
  *   <tr><td>{@link #close}</td><td>that thread too, or any after {@link #releaseGl} or
- *     {@link #abandonGl}; elsewhere GL objects are leaked</td></tr>
+ *     {@link #abandonGl}; elsewhere GL objects are leaked. Waits for calls of other threads</td></tr>
  *   <tr><td>everything else</td><td>any</td></tr>
  * </table>
  *
- * <p>Calls on one session take turns. update waits at most for such a call, never for mapping, but
- * {@link #loadMap} and {@link #reset} may hold it up for as long as the mapper needs to take over.
+ * <p>update, {@link #releaseGl}, {@link #abandonGl}, {@link #pause}, {@link #resume}, {@link #reset}
+ * and the end of {@link #loadMap} take turns: each waits for an update that is under way. Nothing else
+ * does, and update never waits for mapping or for a file.
  *
  * <p>Everything throws {@link SessionClosedException} after {@link #close}.
  */
 public final class Session implements AutoCloseable {
-  private static final int READ_STEP = 1 << 16;
-
   private final AtomicLong handle;
   private final Config config;
   private final Frame frame = new Frame(this);
@@ -133,6 +129,7 @@ public final class Session implements AutoCloseable {
    * An IMU sample: nanoseconds in the camera's clock, m/s2 and rad/s in the device's axes. Kept for
    * later versions; poses do not use it yet. TimestampOrderException when time does not increase.
    */
+  // NOLINTNEXTLINE(readability-function-size): one call per sample, without an object
   public void pushImu(
       long timestampNs, float ax, float ay, float az, float wx, float wy, float wz) {
     synchronized (imuSample) {
@@ -214,7 +211,7 @@ public final class Session implements AutoCloseable {
 
   /** Writes the map to a file. Does not hold up update. MapIoException. */
   public void saveMap(String path) {
-    Native.saveMap(handle(), utf8(path));
+    Native.saveMap(handle(), MapStreams.path(path));
   }
 
   /**
@@ -223,7 +220,7 @@ public final class Session implements AutoCloseable {
    * InvalidArgumentException (a map of another camera).
    */
   public void loadMap(String path) {
-    Native.loadMap(handle(), utf8(path));
+    Native.loadMap(handle(), MapStreams.path(path));
   }
 
   /** Writes the map to a stream and flushes it. MapIoException with the stream's as its cause. */
@@ -231,30 +228,12 @@ public final class Session implements AutoCloseable {
     if (stream == null) {
       throw new InvalidArgumentException("stream is null");
     }
-    byte[] map = Native.saveMapBytes(handle());
-    try {
-      stream.write(map);
-      stream.flush();
-    } catch (IOException e) {
-      throw new MapIoException(e);
-    }
+    MapStreams.write(Native.saveMapBytes(handle()), stream);
   }
 
   /** {@link #loadMap(String)} from what is left of a stream. */
   public void loadMap(InputStream stream) {
-    if (stream == null) {
-      throw new InvalidArgumentException("stream is null");
-    }
-    ByteArrayOutputStream map = new ByteArrayOutputStream();
-    byte[] piece = new byte[READ_STEP];
-    try {
-      for (int got = stream.read(piece); got >= 0; got = stream.read(piece)) {
-        map.write(piece, 0, got);
-      }
-    } catch (IOException e) {
-      throw new MapIoException(e);
-    }
-    Native.loadMapBytes(handle(), map.toByteArray());
+    Native.loadMapBytes(handle(), MapStreams.read(stream));
   }
 
   /** Ends mapping and frees everything; more than once is fine. May take some seconds. */
@@ -301,12 +280,5 @@ public final class Session implements AutoCloseable {
       }
     }
     return updatedAnchorsView;
-  }
-
-  private static byte[] utf8(String path) {
-    if (path == null || path.indexOf('\0') >= 0) {
-      throw new InvalidArgumentException("path is null or contains a zero");
-    }
-    return (path + '\0').getBytes(StandardCharsets.UTF_8);
   }
 }
