@@ -33,13 +33,13 @@ MapRenderer MapRendererTest::rendererOf(const RoomMap& room) {
   return renderer;
 }
 
-ViewCamera MapRendererTest::cornerView(const Viewport& viewport) {
-  return lookAt({-2.6F, -2.6F, -2.2F}, {0.0F, 0.1F, 1.3F}, viewport);
+ViewCamera cornerView(const Viewport& viewport) {
+  return viewFrom({-2.6F, -2.6F, -2.2F}, {0.0F, 0.1F, 1.3F}, viewport);
 }
 
-ViewCamera MapRendererTest::lookAt(const std::array<float, 3>& eye,
-                                   const std::array<float, 3>& target,
-                                   const Viewport& viewport) {
+ViewCamera viewFrom(const std::array<float, 3>& eye,
+                    const std::array<float, 3>& target,
+                    const Viewport& viewport) {
   constexpr float kFieldOfView = 0.9F, kNear = 0.05F, kFar = 100.0F;  // radians, scene units
   constexpr glm::vec3 kUp(0.0F, -1.0F, 0.0F);
   const float aspect = static_cast<float>(viewport.width) / static_cast<float>(viewport.height);

@@ -13,19 +13,19 @@
 
 namespace glide::test {
 
+/// From `eye` at `target`, both in the map's world, upright.
+ViewCamera viewFrom(const std::array<float, 3>& eye,
+                    const std::array<float, 3>& target,
+                    const Viewport& viewport);
+/// The room (room_map.h) from above one of its corners.
+ViewCamera cornerView(const Viewport& viewport);
+
 /// Tests that draw maps: a renderer in the program's context, and pictures of it.
 class MapRendererTest : public GlTest {
  protected:
   static MapRenderer makeRenderer();
   /// A renderer that has been given the whole room.
   static MapRenderer rendererOf(const RoomMap& room);
-
-  /// The room from above one of its corners.
-  static ViewCamera cornerView(const Viewport& viewport);
-  /// From `eye` at `target`, both in the map's world, upright.
-  static ViewCamera lookAt(const std::array<float, 3>& eye,
-                           const std::array<float, 3>& target,
-                           const Viewport& viewport);
 
   /// Goldens are of llvmpipe: other rasterisers put edges elsewhere.
   bool hasGoldens() const { return caps().renderer.find("llvmpipe") != std::string::npos; }

@@ -48,7 +48,7 @@ TEST_F(MapGolden, EveryFrameTheTruthAndLandmarksByAge) {
   style.covisibility = false;
   style.line_px = 2.5F;
   renderer.setStyle(style);
-  const ViewCamera above = lookAt({0.3F, -3.2F, -0.6F}, {0.0F, 0.0F, 1.3F}, kWhole);
+  const ViewCamera above = viewFrom({0.3F, -3.2F, -0.6F}, {0.0F, 0.0F, 1.3F}, kWhole);
   expectGolden(onPaper([&] { return renderer.draw(above, kWhole); }), "map_frames");
 }
 
@@ -65,7 +65,7 @@ TEST_F(MapGolden, FromWithinWithLinesThatComeFromBehind) {
   MapRenderer renderer = rendererOf(makeRoomMap({1000, 18, 180}));
   renderer.setStyle(largeFrusta());
   // On the way itself: half of it is behind the eye.
-  const ViewCamera within = lookAt({0.9F, 0.1F, 0.35F}, {-0.4F, 0.2F, 2.2F}, kWhole);
+  const ViewCamera within = viewFrom({0.9F, 0.1F, 0.35F}, {-0.4F, 0.2F, 2.2F}, kWhole);
   expectGolden(onPaper([&] { return renderer.draw(within, kWhole); }), "map_within");
 }
 

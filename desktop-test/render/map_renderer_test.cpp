@@ -86,7 +86,7 @@ TEST_F(MapRendererDrawTest, PutsALandmarkWhereTheCameraSeesIt) {
   renderer.setStyle(style);
   // y points down, x to the right, z forward.
   renderer.setMap(oneLandmark(0.5, 0.4, 2.0));
-  const ViewCamera view = lookAt({0, 0, 0}, {0, 0, 1}, kWhole);
+  const ViewCamera view = viewFrom({0, 0, 0}, {0, 0, 1}, kWhole);
   const RgbPicture seen = picture(&renderer, view);
   const float focal_px = 0.5F * kHeight * view.projection[5];
   const auto x = static_cast<int>(0.5F * kWidth + focal_px * 0.25F);
@@ -106,7 +106,7 @@ TEST_F(MapRendererDrawTest, HidesWhatIsBehind) {
   for (std::uint64_t id = 2; id < 5; ++id) map->landmarks.push_back({id, {0.0, 0.0, 4.0}, 20});
   renderer.setMap(map);
   const std::array<int, 3> center =
-      pixelAt(picture(&renderer, lookAt({0, 0, 0}, {0, 0, 1}, kWhole)), kWidth / 2, kHeight / 2);
+      pixelAt(picture(&renderer, viewFrom({0, 0, 0}, {0, 0, 1}, kWhole)), kWidth / 2, kHeight / 2);
   EXPECT_NEAR(center[0], center[1], 10);
 }
 
@@ -116,7 +116,7 @@ TEST_F(MapRendererDrawTest, ColoursTheWayByTracker) {
   style.line_px = 6.0F;
   renderer.setStyle(style);
   renderer.setMap(oneLandmark(0.0, 0.3, 2.0));  // tells the depth cue where the scene is
-  const ViewCamera view = lookAt({0, 0, 0}, {0, 0, 1}, kWhole);
+  const ViewCamera view = viewFrom({0, 0, 0}, {0, 0, 1}, kWhole);
   for (const double x : {-0.9, -0.3}) renderer.addFrame(trackedAt(x, 2.0, TrackerKind::direct));
   for (const double x : {0.3, 0.9}) renderer.addFrame(trackedAt(x, 2.0, TrackerKind::indirect));
   const RgbPicture seen = picture(&renderer, view);
@@ -134,7 +134,7 @@ TEST_F(MapRendererDrawTest, DrawsLinesAsWideAsTheyShallBe) {
   renderer.setStyle(style);
   const std::vector<Pose> truth{{{-5.0, 0.0, 2.0}}, {{5.0, 0.0, 2.0}}};
   renderer.setTruth(truth);
-  const RgbPicture seen = picture(&renderer, lookAt({0, 0, 0}, {0, 0, 1}, kWhole));
+  const RgbPicture seen = picture(&renderer, viewFrom({0, 0, 0}, {0, 0, 1}, kWhole));
   int lit = 0;
   for (int y = 0; y < kHeight; ++y) lit += pixelAt(seen, kWidth / 2, y)[1] > 40 ? 1 : 0;
   EXPECT_NEAR(lit, 9, 1);
@@ -144,7 +144,7 @@ TEST_F(MapRendererDrawTest, DrawsALineThatBeginsBehindTheEye) {
   MapRenderer renderer = makeRenderer();
   const std::vector<Pose> truth{{{0.2, 0.3, -5.0}}, {{0.0, 0.3, 3.0}}};
   renderer.setTruth(truth);
-  const RgbPicture seen = picture(&renderer, lookAt({0, 0, 0}, {0, 0, 1}, kWhole));
+  const RgbPicture seen = picture(&renderer, viewFrom({0, 0, 0}, {0, 0, 1}, kWhole));
   EXPECT_GT(countOf(seen, kTruthColor, 60), 20);
   for (int x = 0; x < kWidth; ++x)
     EXPECT_EQ(pixelAt(seen, x, kHeight / 2 - 5), (std::array<int, 3>{0, 0, 0})) << "above the line";
