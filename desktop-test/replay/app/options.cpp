@@ -20,6 +20,7 @@ struct Raw {
   std::vector<std::string> settings;
   bool deterministic = false;
   bool localize_only = false;
+  bool report = false, no_report = false;
 };
 
 std::string renderProblem(const std::string& path) {
@@ -154,10 +155,11 @@ void addOutputs(CLI::App& app, Raw& raw) {
       ->transform(plain(CLI::CheckedTransformer(progress)))
       ->type_name("auto|plain|none");
   app.add_flag("--json", options.json, "print stats.json on stdout; all else goes to stderr");
-  app.add_flag("--report,!--no-report",
-               options.report,
-               "write report.html, a page with the map in 3-D and charts\n(default: where npm was "
-               "there to build the page)");
+  auto* report = app.add_flag("--report",
+                              raw.report,
+                              "write report.html, a page with the map in 3-D and charts (default:\n"
+                              "where npm was there to build the page)");
+  app.add_flag("--no-report", raw.no_report, "do not write it")->excludes(report);
   app.add_option("--require-tracked",
                  options.require_tracked,
                  "exit with 5 when the tracked ratio is lower")
@@ -177,6 +179,7 @@ Options toOptions(Raw raw) {
   for (const auto& [key, value] : shortcuts) {
     if (value) options.settings.push_back(std::string(key) + "=" + *value);
   }
+  if (raw.report || raw.no_report) options.report = raw.report;
   if (raw.deterministic) options.settings.emplace_back("execution=inline");
   if (raw.localize_only) options.settings.emplace_back("mode=localization_only");
   options.settings.insert(options.settings.end(), raw.settings.begin(), raw.settings.end());

@@ -1,6 +1,7 @@
 #include "replay/app/color_watcher.h"
 #include "replay/app/job.h"
 #include "replay/app/render_watchers.h"
+#include "replay/app/report_watchers.h"
 
 #include <memory>
 
@@ -9,6 +10,7 @@ namespace glide::replay {
 std::optional<Failure> makeWatchers(Job& job) {
   job.watchers.push_back(std::make_unique<ColorWatcher>(job.colors));
   if (auto failure = addVideoWatcher(job)) return failure;
+  if (auto failure = addReportWatcher(job)) return failure;
   return addViewerWatcher(job);  // last: at its end it waits for a person
 }
 
