@@ -12,7 +12,6 @@ constexpr double kMaxStep = 1.0;  // s; a gap in the frames is no reason to jump
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kSwing = 0.6, kSwingPeriod = 16.0;  // radians and seconds: parallax without haste
 constexpr double kElevation = 0.6;                   // radians: the path is seen, and walls, too
-constexpr double kCloseness = 0.8;  // the sphere is a loose bound; corners are seldom reached
 
 double gain(double step_s, double lag_s) { return 1.0 - std::exp(-step_s / lag_s); }
 
@@ -49,7 +48,7 @@ std::optional<Orbit> FollowCamera::orbit(const Lens& lens) const {
   orbit.ahead = shown_->ahead;
   orbit.azimuth = kSwing * std::sin(kTwoPi * swing_s_ / kSwingPeriod);
   orbit.elevation = kElevation;
-  orbit.distance = kCloseness * distanceToSee(shown_->radius, lens);
+  orbit.distance = distanceToSee(shown_->radius, lens);
   return orbit;
 }
 

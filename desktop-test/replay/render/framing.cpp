@@ -13,9 +13,10 @@ namespace {
 
 constexpr double kViewSlope = 0.7;  // tangent of the half field of view that counts as "before"
 constexpr double kDepthCut = 2.0;   // in median depths: what is farther would only shrink the rest
-constexpr double kShown = 0.9;      // share of the landmarks within the radius; the rest strays
+constexpr double kShown = 0.7;      // share of the landmarks within the radius; the rest strays
 constexpr double kCameraMargin = 1.1;  // so that cameras do not touch the picture's edge
-constexpr std::size_t kRecentKeyframes = 10;
+constexpr double kFocusShare = 0.65;   // of the way to what it sees: there is more of it
+constexpr std::size_t kRecentKeyframes = 20;
 constexpr double kUprightPrior = 0.02;  // of the mean upward axis against the level x axes
 
 Vec3d point(const MapView::Landmark& landmark) {
@@ -88,7 +89,7 @@ std::optional<Framing> frameAround(const MapView& map, const SE3d& T_world_cam) 
   const std::vector<Vec3d> points = pointsBefore(map, T_world_cam);
   if (points.empty()) return std::nullopt;
   Framing framing;
-  framing.focus = 0.5 * (T_world_cam.t + medianOf(points));
+  framing.focus = T_world_cam.t + kFocusShare * (medianOf(points) - T_world_cam.t);
   std::vector<Vec3d> cameras = keyframePositions(map, kRecentKeyframes);
   cameras.push_back(T_world_cam.t);
   // A path that leads away must not make the picture ever wider: old parts may leave it.

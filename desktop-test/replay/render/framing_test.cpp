@@ -38,9 +38,9 @@ TEST(Framing, HoldsTheCameraAndWhatLiesBeforeIt) {
   addBall(map, {0.0, 0.0, 5.0}, 1.0, 500);
   const auto framing = frameAround(map, SE3d());
   ASSERT_TRUE(framing);
-  EXPECT_NEAR((framing->focus - Vec3d(0.0, 0.0, 2.5)).norm(), 0.0, 0.1);
-  EXPECT_GT(framing->radius, 2.5);
-  EXPECT_LT(framing->radius, 3.6);
+  EXPECT_NEAR((framing->focus - Vec3d(0.0, 0.0, 3.25)).norm(), 0.0, 0.1);
+  EXPECT_GT(framing->radius, 3.25);
+  EXPECT_LT(framing->radius, 3.8);
   EXPECT_NEAR((framing->ahead - Vec3d::UnitZ()).norm(), 0.0, 1e-12);
 }
 

@@ -8,17 +8,21 @@
 namespace glide::replay {
 namespace {
 
-constexpr int kTruthEvery = 10;       // frames: aligning anew is seen but costs
-constexpr double kFieldOfView = 0.8;  // radians: little distortion at the edges
+constexpr int kTruthEvery = 10;          // frames: aligning anew is seen but costs
+constexpr double kFieldOfView = 0.8;     // radians: little distortion at the edges
+constexpr double kFrustumShare = 0.011;  // of the distance from which the scene is seen
+constexpr float kLandmarkPx = 5.0F;
 
 Lens lensOf(const Viewport& scene) {
   return {kFieldOfView, static_cast<double>(scene.width) / scene.height};
 }
 
-/// Without a depth of its own a line or a point says little: every frame's frustum shows who
-/// placed it.
-MapStyle styleOfScene() {
+/// For a scene seen from so far: every frame's frustum shows who placed it, and frusta keep their
+/// size in the picture, whatever the size of the map.
+MapStyle styleOfScene(double distance) {
   MapStyle style;
+  style.landmark_px = kLandmarkPx;
+  style.frustum_size = static_cast<float>(kFrustumShare * distance);
   style.frame_frusta = true;
   return style;
 }
@@ -41,7 +45,6 @@ SplitView::SplitView(const SplitViewSetup& setup, Renderers renderers)
       timeline_(setup.frames),
       truth_(setup.truth),
       map_(std::make_shared<MapView>()) {
-  renderers_.map.setStyle(styleOfScene());
   renderers_.map.setIntrinsics(setup.camera);
 }
 
@@ -87,11 +90,12 @@ Status SplitView::draw(const PictureSize& size, const ViewControl& control) {
   for (const Status& drawn : {drawPicture(layout.picture), drawTimeline(layout.timeline)}) {
     if (!drawn) return drawn;
   }
-  const std::optional<Orbit> orbit = shownFrom(size, control);
-  if (!orbit) return Unit{};
+  const std::optional<Orbit> flight = flight_.orbit(lensOf(layout.scene));
+  if (!flight) return Unit{};
+  renderers_.map.setStyle(styleOfScene(flight->distance));
   const Status map = renderers_.map.drawMiniMap(layout.mini_map);
   if (!map) return map;
-  return renderers_.map.draw(viewOf(*orbit, lensOf(layout.scene)), layout.scene);
+  return renderers_.map.draw(viewOf(control.apply(*flight), lensOf(layout.scene)), layout.scene);
 }
 
 Status SplitView::drawPicture(const Viewport& viewport) {
