@@ -31,7 +31,7 @@ inline std::vector<Sim3Pair> makeSim3Pairs(const CameraModel& camera,
   std::vector<Sim3Pair> pairs;
   while (static_cast<int>(pairs.size()) < options.pairs) {
     Sim3Pair pair;
-    pair.p_b = Vec3d(side(random), side(random), depth(random));
+    pair.p_b = Vec3d{side(random), side(random), depth(random)};
     const bool outlier = static_cast<double>(pairs.size()) < options.outlier_share * options.pairs;
     pair.p_a = outlier ? Vec3d(center + randomVector(1.5, &random)) : S_a_b * pair.p_b;
     const auto uv_a = camera.project(pair.p_a), uv_b = camera.project(pair.p_b);

@@ -40,7 +40,7 @@ std::vector<Vec3d> makePoints(const SyntheticOptions& options, std::mt19937_64* 
   std::uniform_real_distribution<double> side(-options.ball_radius, options.ball_radius);
   std::vector<Vec3d> points;
   while (points.size() < std::size_t(options.points)) {
-    const Vec3d p(side(*rng), side(*rng), side(*rng));
+    const Vec3d p{side(*rng), side(*rng), side(*rng)};  // braces: one after another
     if (p.norm() < options.ball_radius) points.push_back(p);
   }
   return points;
@@ -62,7 +62,7 @@ Vec2d farPixel(const CameraModel& camera, const Vec2d& uv, std::mt19937_64* rng)
   std::uniform_real_distribution<double> x(0.0, camera.width() - 1.0);
   std::uniform_real_distribution<double> y(0.0, camera.height() - 1.0);
   for (;;) {
-    Vec2d candidate(x(*rng), y(*rng));
+    Vec2d candidate{x(*rng), y(*rng)};
     if ((candidate - uv).norm() > kMinOutlierPx) return candidate;
   }
 }
@@ -83,7 +83,7 @@ SyntheticProblem makeSyntheticProblem(const CameraModel& camera, const Synthetic
     for (SyntheticObservation& view : views) {
       view.outlier = is_outlier(rng);
       if (view.outlier) view.uv = farPixel(camera, view.uv, &rng);
-      view.uv += options.noise_px * Vec2d(gauss(rng), gauss(rng));
+      view.uv += options.noise_px * Vec2d{gauss(rng), gauss(rng)};
       problem.observations.push_back(view);
     }
   }

