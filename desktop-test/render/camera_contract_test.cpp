@@ -1,11 +1,8 @@
 // CameraRenderer inside of an app's contexts (docs/gl-contract.md).
-#include "support/app_context.h"
 #include "support/app_texture.h"
-#include "support/gl_app.h"
 
 #include "render/camera_scene.h"
-
-#include "gpu/gl_test.h"
+#include "render/contract_fixture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,16 +16,10 @@ namespace {
 
 using ::testing::IsEmpty;
 
-constexpr int kWidth = 64, kHeight = 48;
-constexpr Viewport kViewport{0, 0, kWidth, kHeight};
 constexpr std::uint8_t kGrey = 113;
-constexpr Color kBlack{0.0F, 0.0F, 0.0F, 1.0F};
 
-/// A call of the public API, and what it is called in messages.
-struct PublicCall {
-  std::string name;
-  std::function<void()> run;
-};
+constexpr int kWidth = 64, kHeight = 48;  // of ContractTest's target
+constexpr Viewport kViewport{0, 0, kWidth, kHeight};
 
 /// Everything public, with pictures of every kind that there is here.
 class EveryCall {
@@ -89,39 +80,8 @@ class EveryCall {
   int frame_ = 0;
 };
 
-/// Each test begins in a new context of an app.
-class CameraContract : public GlTest {
+class CameraContract : public ContractTest {
  protected:
-  void SetUp() override {
-    GlTest::SetUp();
-    if (IsSkipped() || HasFatalFailure()) return;
-    main_.emplace();
-    app_.emplace(makeContext(ContextSharing::none));
-    Result<RenderTarget> target = RenderTarget::create(kWidth, kHeight);
-    ASSERT_TRUE(target.ok()) << target.error().message;
-    target_.emplace(std::move(*target));
-    target_->begin(kBlack);
-  }
-  void TearDown() override {
-    if (app_) {
-      EXPECT_THAT(app_->complaints(), IsEmpty());
-    }
-    target_.reset();
-    app_.reset();
-    main_.reset();
-    GlTest::TearDown();
-  }
-  AppContext& app() { return *app_; }
-  /// What is drawn into; in a new context, after begin().
-  RenderTarget& target() { return *target_; }
-  AppContext makeContext(ContextSharing sharing) {
-    if (!hasCurrentContext()) main_->restore();  // for its display
-    Result<AppContext> context = AppContext::create(sharing);
-    EXPECT_TRUE(context.ok()) << context.error().message;
-    return std::move(*context);
-  }
-  void destroyApp() { app_.reset(); }
-
   /// One of each kind that there is.
   std::vector<AppTexture> makeTextures() const {
     std::vector<AppTexture> textures;
@@ -143,42 +103,18 @@ class CameraContract : public GlTest {
     const std::vector<std::uint8_t> bytes(static_cast<std::size_t>(kWidth * kHeight), kGrey);
     return renderer->drawPicture(Luma{bytes.data(), kWidth, kHeight, kWidth}, kViewport);
   }
-
- private:
-  std::optional<ScopedCurrentContext> main_;
-  std::optional<AppContext> app_;
-  std::optional<RenderTarget> target_;
 };
 
 TEST_F(CameraContract, NoCallChangesAnyStateOfTheApp) {
   const std::vector<AppTexture> textures = makeTextures();
-  GlApp gl_app(41);
   EveryCall renderer(GlStatePolicy::preserve, textures);
-  for (const PublicCall& call : renderer.calls()) {
-    gl_app.randomise();
-    target().begin(kBlack);
-    const GlSnapshot objects = gl_app.objects();
-    const GlSnapshot before = contextState();
-    call.run();
-    EXPECT_EQ(differences(before, contextState()), "") << call.name;
-    EXPECT_EQ(differences(objects, gl_app.objects()), "") << call.name;
-    ASSERT_FALSE(HasFailure()) << call.name;
-  }
-  gl_app.finish();
+  expectNoTrace(renderer.calls());
 }
 
 TEST_F(CameraContract, ErrorsThatTheAppHasNotFetchedStayAndStayAlone) {
   const std::vector<AppTexture> textures = makeTextures();
   EveryCall renderer(GlStatePolicy::preserve, textures);
-  constexpr GLenum kNoCapability = 0xBAD;
-  for (const PublicCall& call : renderer.calls()) {
-    glEnable(kNoCapability);
-    app().forgetComplaints();
-    call.run();
-    EXPECT_THAT(app().complaints(), IsEmpty()) << call.name;
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM)) << call.name;
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << call.name;
-  }
+  expectErrorsUntouched(renderer.calls());
 }
 
 TEST_F(CameraContract, InAnyStateOfTheAppThePictureIsRight) {

@@ -1,75 +1,42 @@
 #include "glide/render_target.h"
 
-#include "support/app_context.h"
-#include "support/gl_app.h"
-
-#include "gpu/gl_test.h"
+#include "render/contract_fixture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <optional>
-
 namespace glide::test {
 namespace {
 
-using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr Color kOrange{1.0F, 0.502F, 0.0F, 1.0F};
-constexpr int kWidth = 30, kHeight = 20;  // three bytes times the width is no multiple of four
+constexpr int kColumns = 30, kRows = 20;  // three bytes times the width is no multiple of four
 
 RenderTarget makeTarget() {
-  Result<RenderTarget> made = RenderTarget::create(kWidth, kHeight);
+  Result<RenderTarget> made = RenderTarget::create(kColumns, kRows);
   EXPECT_TRUE(made.ok()) << made.error().message;
   return std::move(*made);
 }
 
 std::vector<std::uint8_t> pixelAt(const std::vector<std::uint8_t>& rgb, int x, int y) {
-  const auto at = rgb.begin() + 3 * (y * kWidth + x);
+  const auto at = rgb.begin() + 3 * (y * kColumns + x);
   return {at, at + 3};
 }
 
-/// Each test begins in a new context of an app.
-class RenderTargetTest : public GlTest {
- protected:
-  void SetUp() override {
-    GlTest::SetUp();
-    if (IsSkipped() || HasFatalFailure()) return;
-    main_.emplace();
-    app_.emplace(makeContext(ContextSharing::none));
-  }
-  void TearDown() override {
-    if (app_) {
-      EXPECT_THAT(app_->complaints(), IsEmpty());
-    }
-    app_.reset();
-    main_.reset();
-    GlTest::TearDown();
-  }
-  AppContext& app() { return *app_; }
-  static AppContext makeContext(ContextSharing sharing) {
-    Result<AppContext> context = AppContext::create(sharing);
-    EXPECT_TRUE(context.ok()) << context.error().message;
-    return std::move(*context);
-  }
-
- private:
-  std::optional<ScopedCurrentContext> main_;
-  std::optional<AppContext> app_;
-};
+using RenderTargetTest = ContractTest;
 
 TEST_F(RenderTargetTest, IsClearedToTheColour) {
   RenderTarget target = makeTarget();
-  EXPECT_EQ(target.width(), kWidth);
-  EXPECT_EQ(target.height(), kHeight);
+  EXPECT_EQ(target.width(), kColumns);
+  EXPECT_EQ(target.height(), kRows);
   target.begin(kOrange);
   const std::vector<std::uint8_t> rgb = target.readRgb();
-  ASSERT_EQ(rgb.size(), static_cast<std::size_t>(3 * kWidth * kHeight));
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) EXPECT_THAT(pixelAt(rgb, x, y), ElementsAre(255, 128, 0));
+  ASSERT_EQ(rgb.size(), static_cast<std::size_t>(3 * kColumns * kRows));
+  for (int y = 0; y < kRows; ++y) {
+    for (int x = 0; x < kColumns; ++x) EXPECT_THAT(pixelAt(rgb, x, y), ElementsAre(255, 128, 0));
   }
 }
 
@@ -77,7 +44,7 @@ TEST_F(RenderTargetTest, GivesTheUppermostRowFirst) {
   RenderTarget target = makeTarget();
   target.begin(kOrange);
   glEnable(GL_SCISSOR_TEST);
-  glScissor(0, kHeight - 1, 1, 1);
+  glScissor(0, kRows - 1, 1, 1);
   glClearColor(0.0F, 0.0F, 1.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT);
   const std::vector<std::uint8_t> rgb = target.readRgb();
@@ -147,7 +114,7 @@ TEST_F(RenderTargetTest, LeavesNoNamesBehind) {
 
 TEST_F(RenderTargetTest, RefusesSizesThatTheContextDoesNotHave) {
   for (const int side : {0, -3, 1 << 24}) {
-    const Result<RenderTarget> made = RenderTarget::create(side, kHeight);
+    const Result<RenderTarget> made = RenderTarget::create(side, kRows);
     ASSERT_FALSE(made.ok());
     EXPECT_EQ(made.error().code, ErrorCode::invalid_argument);
     EXPECT_THAT(made.error().message, HasSubstr(std::to_string(side) + "x20"));
@@ -156,7 +123,7 @@ TEST_F(RenderTargetTest, RefusesSizesThatTheContextDoesNotHave) {
 
 TEST_F(RenderTargetTest, NeedsAContext) {
   makeNoContextCurrent();
-  const Result<RenderTarget> made = RenderTarget::create(kWidth, kHeight);
+  const Result<RenderTarget> made = RenderTarget::create(kColumns, kRows);
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, ErrorCode::missing_context);
   app().makeCurrent();
