@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # consumer_test.sh BUILD SOURCE WRITE_WALK: installs the library into a new prefix, builds applications in C and C++
-# against it with find_package(glide), and runs them; the C one on images that WRITE_WALK makes.
+# against it with find_package(glide), and runs them; the C one on images that WRITE_WALK makes. The documents' C and C++ is
+# compiled against the installed headers.
 set -euo pipefail
 build="$1"
 source="$2"
@@ -14,6 +15,8 @@ cmake -S "$source" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/pref
 cmake --build "$folder/build"
 "$folder/build/consumer"
 "$folder/build/readme_example"
+root="$source/../../.."
+python3 -B "$root/desktop-test/house/docs/compile_code.py" "$root" "$folder/prefix/include"
 read -r -a camera <<<"$("$write_walk" "$folder/images" 30)"
 "$folder/build/track_folder" "${camera[@]}" "$folder"/images/*.pgm | tail -n 1 | grep -q '0029.pgm'
 # The library exports its public API and nothing else.

@@ -6,10 +6,11 @@
  * Scale is arbitrary (monocular) until glide_session_set_metric_scale. World: the first keyframe's
  * camera, turned upright by glide_session_set_gravity, in the axes of glide_config.axes.
  *
- * Threads. Every function may be called from any thread; calls on one session take turns. With the
- * GLES backend update, release_gl and destroy need the app's GL context current, and the thread of
- * the first update owns the GL objects until glide_session_release_gl or _abandon_gl: update
- * elsewhere is GLIDE_ERROR_WRONG_THREAD. update never waits for mapping.
+ * Threads. Every function may be called from any thread. Those that look wait for nobody; update,
+ * release_gl, abandon_gl, pause, resume, reset and map_load take turns (docs/c-api.md: a table).
+ * With the GLES backend update, release_gl and destroy need the app's GL context current, and the
+ * thread of the first update owns the GL objects until glide_session_release_gl or _abandon_gl:
+ * update elsewhere is GLIDE_ERROR_WRONG_THREAD. update never waits for mapping.
  *
  * Handles that are null or were destroyed give GLIDE_ERROR_SESSION_CLOSED, null results
  * GLIDE_ERROR_INVALID_ARGUMENT. No C++ exception leaves the library.
@@ -42,8 +43,8 @@ GLIDE_C_API const char* glide_last_error(void);
 
 /* Life. create needs no GL context: GL objects are made by the first update. */
 GLIDE_C_API glide_status glide_session_create(const glide_config* config, glide_session** session);
-/* Null and stale handles are fine. Without a current context call abandon_gl or release_gl first.
- */
+/* Null and stale handles are fine. Waits for the calls that other threads are in, and frees on this
+ * one. Without a current context call abandon_gl or release_gl first. */
 GLIDE_C_API void glide_session_destroy(glide_session* session);
 GLIDE_C_API glide_status glide_session_pause(glide_session* session);
 GLIDE_C_API glide_status glide_session_resume(glide_session* session);
@@ -123,7 +124,7 @@ GLIDE_C_API glide_status glide_anchor_get(glide_session* session,
 GLIDE_C_API glide_status glide_anchor_destroy(glide_session* session, uint64_t anchor);
 
 /* The complete map at one revision; readable from any thread until released, also after the
- * session. */
+ * session. Empty from reset on until there is a new one. */
 GLIDE_C_API glide_status glide_map_acquire(glide_session* session, glide_map** map);
 GLIDE_C_API void glide_map_release(glide_map* map);
 GLIDE_C_API glide_status glide_map_revision(const glide_map* map, uint64_t* revision);

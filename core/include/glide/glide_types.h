@@ -59,7 +59,8 @@ enum {
 };
 enum { GLIDE_LOG_DEBUG = 0, GLIDE_LOG_INFO = 1, GLIDE_LOG_WARNING = 2, GLIDE_LOG_ERROR = 3 };
 
-/* Called on the thread of the call that it tells about; must not call the library. */
+/* Called on the thread of the call that it tells about, which waits for it: it must not call update
+ * or what waits for update. */
 typedef void (*glide_log_fn)(void* user, int32_t level, const char* message);
 
 /* Object in world: rotation first, then translation. */

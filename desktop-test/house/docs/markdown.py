@@ -2,7 +2,7 @@
 import dataclasses
 import re
 
-FENCE = re.compile(r"^\s*(`{3,})\s*(\w*)")
+FENCE = re.compile(r"^\s*(`{3,})\s*(\w*)[ \t]*([^`]*)$")
 HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$")
 LINK = re.compile(r"\[[^\]]*\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)")
 CODE = re.compile(r"(`+)(.+?)\1", re.DOTALL)
@@ -10,8 +10,9 @@ CODE = re.compile(r"(`+)(.+?)\1", re.DOTALL)
 
 @dataclasses.dataclass
 class Block:
-    """A fenced block. first_line: the line number of its first line."""
+    """A fenced block. notes: what follows its language. first_line: the line number of its first line."""
     language: str
+    notes: str
     first_line: int
     lines: list
 
@@ -43,7 +44,7 @@ def take_blocks(text):
             line = ""
         elif match:
             fence = match.group(1)
-            blocks.append(Block(match.group(2), number + 1, []))
+            blocks.append(Block(match.group(2), match.group(3).strip(), number + 1, []))
             line = ""
         rest.append(line)
     return blocks, "\n".join(rest)

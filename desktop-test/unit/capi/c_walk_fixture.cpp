@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <mutex>
 #include <utility>
 
 namespace glide::test {
@@ -57,8 +59,17 @@ glide_frame CWalk::feed(double x) { return feed(sequence_.imageAt(x)); }
 
 glide_frame CWalk::walk(int count) {
   glide_frame frame{};
-  for (; fed_ < count; ++fed_) frame = feed(fed_ * kStep_m);
+  for (; fed_ < count; ++fed_) frame = feed(image(fed_));
   return frame;
+}
+
+const ImageU8& CWalk::image(int frame) {
+  static std::mutex mutex;
+  static std::map<int, ImageU8> images;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto found = images.find(frame);
+  if (found != images.end()) return found->second;
+  return images.emplace(frame, SequenceFixture().imageAt(frame * kStep_m)).first->second;
 }
 
 }  // namespace glide::test

@@ -28,6 +28,8 @@ class CWalk {
   /// The config that the session was made with; its settings live as long as this.
   const glide_config& config() const { return config_; }
   glide_session* session() const { return session_; }
+  /// The image of a frame of the walk; each is rendered once in the program.
+  static const ImageU8& image(int frame);
   /// Feeds the image at x metres; the status is in status().
   glide_frame feed(double x);
   glide_frame feed(const ImageU8& image);

@@ -60,11 +60,11 @@ TEST(CDestroy, OfACallbackTakesEffectWhenItsCallEnds) {
 
 TEST(CDestroy, MayComeWhileThreadsCall) {
   CWalk walk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
-  walk.walk(10);
+  walk.walk(3);
   std::vector<std::thread> callers;
   for (int i = 0; i < 3; ++i) callers.emplace_back([&walk] { waitUntilClosed(walk.session()); });
   callers.emplace_back([&walk] {
-    while (walk.status() == GLIDE_OK) walk.feed(0.1);
+    while (walk.status() == GLIDE_OK) walk.feed(CWalk::image(9));
     EXPECT_EQ(walk.status(), GLIDE_ERROR_SESSION_CLOSED);
   });
   glide_session_destroy(walk.session());
@@ -82,12 +82,10 @@ std::size_t bytesInUse() {
 TEST(CDestroy, LeavesNothingBehind) {
   constexpr int kWarmUp = 10;
   constexpr int kCycles = 60;
-  const SequenceFixture sequence;
-  const ImageU8 image = sequence.imageAt(0.0);
   std::size_t before = 0;
   for (int i = 0; i < kWarmUp + kCycles; ++i) {
     if (i == kWarmUp) before = bytesInUse();
-    CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED).feed(image);
+    CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED).feed(CWalk::image(0));
   }
   // What the threads of the last session cached may be more or less than a few small pieces.
   constexpr std::size_t kNoise = 4096;
@@ -110,18 +108,19 @@ void callAtExit() {
   std::atexit(callAtExit);
   auto* walk = new CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
   session_of_exit = walk->session();
-  walk->walk(20);
+  walk->walk(3);
   std::exit(0);
 }
 
 [[noreturn]] void exitInTheMiddleOfUpdates() {
   auto* walk = new CWalk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
   std::promise<void> has_begun;
-  std::thread([&] {
-    walk->walk(5);
+  std::thread([&, image = CWalk::image(0)] {  // its own: what is static ends with the process
+    walk->feed(image);
     has_begun.set_value();
-    while (walk->status() == GLIDE_OK) walk->feed(0.05);
-  }).detach();
+    while (walk->status() == GLIDE_OK) walk->feed(image);
+  })
+      .detach();
   has_begun.get_future().wait();
   std::exit(0);
 }

@@ -14,6 +14,8 @@ namespace glide::test {
 namespace {
 
 constexpr int kFrames = 30;
+// Enough of them for a map.
+constexpr int kStart = 16;
 // Longer than any machine takes for what must not wait; only a failing test waits so long.
 constexpr std::chrono::seconds kPatience{20};
 
@@ -107,7 +109,7 @@ glide_status changeWorld(glide_session* session) {
 TEST(CThreads, DoNotWaitForAnUpdateThatIsUnderWay) {
   Gate gate("tracking");
   CWalk walk(gate.config());
-  std::thread camera([&] { walk.walk(kFrames); });
+  std::thread camera([&] { walk.walk(kStart); });
   gate.waitUntilHeld();
   for (const auto& call : {locate,
                            pushImu,
@@ -160,13 +162,13 @@ TEST(CThreads, DoNotHoldUpAnUpdateWhileTheyReadAMap) {
 
 TEST(CThreads, WaitForWhatIsMappedButNotForWhatComesMeanwhile) {
   CWalk walk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
-  walk.walk(kFrames);
+  walk.walk(kStart);
   std::atomic<bool> has_waited{false};
   std::thread waiter([&] {
     EXPECT_EQ(glide_session_wait_for_mapping(walk.session()), GLIDE_OK);
     has_waited = true;
   });
-  for (int i = 0; i < kFrames || !has_waited; ++i) walk.feed(0.01 * (i % (2 * kFrames)));
+  for (int i = 0; i < kStart || !has_waited; ++i) walk.feed(CWalk::image(i % (2 * kFrames)));
   waiter.join();
 }
 
@@ -212,9 +214,9 @@ TEST(CThreads, MayDoEverythingAtOnce) {
     }
   };
   std::thread a(look), b(look);
-  walk.walk(kFrames);
+  walk.walk(kStart);
   EXPECT_EQ(glide_session_reset(walk.session()), GLIDE_OK);
-  for (int i = 0; i < kFrames / 2; ++i) walk.feed(0.01 * i);
+  for (int i = 0; i < kStart / 2; ++i) walk.feed(CWalk::image(i));
   is_over = true;
   a.join();
   b.join();

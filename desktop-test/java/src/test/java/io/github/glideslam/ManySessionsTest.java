@@ -19,8 +19,11 @@ class ManySessionsTest {
   private static final int WARM_UP_CYCLES = 200;
   private static final int BLOCKS = 4;
   private static final int BLOCK_CYCLES = 250;
-  // 8 kB per session; an image has 77. The allocator keeps tens of MB at some moment, a leak grows always.
-  private static final long MOST_GROWTH_KB = 2 << 10;
+  // What is in use does not grow by a byte (CDestroy.LeavesNothingBehind, in C). What the process holds did, to 100 MB and
+  // more: glibc puts the next session's images where the first one's were freed, among what the JVM has allocated
+  // since (direct buffers, compiled code), and cannot give such pieces back. pom.xml makes it map what is large, and
+  // keep to one heap; the JVM's own warming up is left. A leak grows in every block: 1 kB a session, an image has 77.
+  private static final long MOST_GROWTH_KB = 256;
 
   private final Sequence sequence = Sequence.walk();
   private final ByteBuffer image = sequence.image(0);
