@@ -41,6 +41,15 @@ packages_of_groups() {
 
 is_installed() { [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
+# is_there PACKAGE: installed, or what it is for came from elsewhere: other packages of Node conflict with Debian's npm.
+is_there() {
+  case "$1" in
+    npm) command -v npm >/dev/null || is_installed npm ;;
+    nodejs) command -v node >/dev/null || is_installed nodejs ;;
+    *) is_installed "$1" ;;
+  esac
+}
+
 install_packages() {
   export DEBIAN_FRONTEND=noninteractive
   as_root apt-get update && as_root apt-get install --yes --no-install-recommends "$@"
@@ -55,7 +64,7 @@ setup() {
     return 0
   fi
   for package in $(packages_of_groups "$@"); do
-    is_installed "$package" || missing+=("$package")
+    is_there "$package" || missing+=("$package")
   done
   [ "${#missing[@]}" -eq 0 ] && return 0
   say "installing ${missing[*]}"

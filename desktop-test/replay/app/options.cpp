@@ -20,7 +20,8 @@ struct Raw {
   std::vector<std::string> settings;
   bool deterministic = false;
   bool localize_only = false;
-  bool report = false, no_report = false;
+  bool report = true;
+  const CLI::Option* report_flag = nullptr;
 };
 
 std::string renderProblem(const std::string& path) {
@@ -155,11 +156,10 @@ void addOutputs(CLI::App& app, Raw& raw) {
       ->transform(plain(CLI::CheckedTransformer(progress)))
       ->type_name("auto|plain|none");
   app.add_flag("--json", options.json, "print stats.json on stdout; all else goes to stderr");
-  auto* report = app.add_flag("--report",
-                              raw.report,
-                              "write report.html, a page with the map in 3-D and charts (default:\n"
-                              "where npm was there to build the page)");
-  app.add_flag("--no-report", raw.no_report, "do not write it")->excludes(report);
+  raw.report_flag = app.add_flag("--report,!--no-report",
+                                 raw.report,
+                                 "write report.html, a page with the map in 3-D and "
+                                 "charts\n(default: where npm was there to build the page)");
   app.add_option("--require-tracked",
                  options.require_tracked,
                  "exit with 5 when the tracked ratio is lower")
@@ -179,7 +179,7 @@ Options toOptions(Raw raw) {
   for (const auto& [key, value] : shortcuts) {
     if (value) options.settings.push_back(std::string(key) + "=" + *value);
   }
-  if (raw.report || raw.no_report) options.report = raw.report;
+  if (raw.report_flag->count() > 0) options.report = raw.report;
   if (raw.deterministic) options.settings.emplace_back("execution=inline");
   if (raw.localize_only) options.settings.emplace_back("mode=localization_only");
   options.settings.insert(options.settings.end(), raw.settings.begin(), raw.settings.end());

@@ -112,6 +112,12 @@ TEST(Options, NameMapsAndLocalizeOnlyInOne) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("--map-in"));
 }
 
+TEST(Options, TellAnAskedForReportFromTheDefault) {
+  EXPECT_EQ(parsed({"sequence"}).report, std::nullopt);
+  EXPECT_EQ(parsed({"sequence", "--report"}).report, true);
+  EXPECT_EQ(parsed({"sequence", "--no-report"}).report, false);
+}
+
 TEST(Options, EndWithOneOnAMistakeAndZeroOnHelp) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(exitCode({}), kUsage);

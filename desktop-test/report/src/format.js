@@ -24,7 +24,7 @@ export function count(value) {
 /// Three significant digits, as far as they are decimals.
 export function number(value) {
   if (!Number.isFinite(value)) return "\u2013";
-  if (Number.isInteger(value)) return count(value);
+  if (Math.abs(value - Math.round(value)) <= 1e-9 * Math.abs(value)) return count(value);
   const size = Math.abs(value);
   if (size >= 100) return value.toFixed(0);
   if (size >= 10) return value.toFixed(1);

@@ -36,8 +36,8 @@ function tiles(stats) {
     tile("Direct", stats.direct_share === null ? "\u2013" : percent(stats.direct_share), `${count(frames.direct)} direct, ${count(frames.indirect)} indirect`),
     timeTile(stats.time_ms),
     accuracyTile(stats.accuracy),
-    tile("Keyframes", count(map.keyframes), map.resets > 0 ? `map started over ${count(map.resets)}\u00d7` : plural(map.loops_closed, "loop closed").replace("closeds", "closed")),
-    tile("Landmarks", count(map.landmarks), null));
+    tile("Keyframes", count(map.keyframes), map.resets > 0 ? `map started over ${count(map.resets)}\u00d7` : `${plural(map.loops_closed, "loop")} closed`),
+    tile("Landmarks", count(map.landmarks), stats.memory.map_mb === null ? null : `map of ${stats.memory.map_mb.toFixed(1)} MB`));
 }
 
 export function createHeader(run) {

@@ -15,8 +15,7 @@ import { createViewer } from "./viewer.js";
 function frameParts(run, playhead, tooltip) {
   const viewer = createViewer(run, playhead, tooltip);
   const parts = [
-    el("div", { class: "look" }, viewer.element, createFramePanel(run, playhead)),
-    createTransport(run, playhead, tooltip),
+    el("div", { class: "look" }, viewer.element, createTransport(run, playhead, tooltip), createFramePanel(run, playhead)),
     createFilmstrip(run, playhead, viewer.scene),
     el("div", { class: "charts" }, ...createCharts(run, playhead, tooltip)),
   ];

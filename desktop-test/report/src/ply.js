@@ -7,6 +7,7 @@ const READERS = {
   uint: [4, (view, at) => view.getUint32(at, true)],
   uchar: [1, (view, at) => view.getUint8(at)],
 };
+const MIN_CHROMA = 0.02;
 
 function parseHeader(bytes) {
   const text = new TextDecoder("latin1").decode(bytes.subarray(0, 4096));
@@ -22,6 +23,11 @@ function parseHeader(bytes) {
   return { end, vertices, properties, stride: offset };
 }
 
+/// A camera without colour gives every landmark a gray.
+function hasColor(colors) {
+  return colors.some((value, i) => Math.abs(value - colors[i - (i % 3)]) > MIN_CHROMA);
+}
+
 /// {count, positions: Float32Array of x y z, colors: Float32Array of sRGB from 0 to 1, or null}
 export function parsePly(bytes) {
   const { end, vertices, properties, stride } = parseHeader(bytes);
@@ -35,9 +41,6 @@ export function parsePly(bytes) {
     }
     return values;
   };
-  return {
-    count: vertices,
-    positions: column(["x", "y", "z"], 1),
-    colors: column(["red", "green", "blue"], 1 / 255),
-  };
+  const colors = column(["red", "green", "blue"], 1 / 255);
+  return { count: vertices, positions: column(["x", "y", "z"], 1), colors: colors && hasColor(colors) ? colors : null };
 }

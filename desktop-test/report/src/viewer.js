@@ -68,6 +68,10 @@ function watchPointer(canvas, run, { scene, playhead, tooltip }) {
   });
 }
 
+function gridMetres(cell) {
+  return cell < 1 ? `${number(100 * cell)} cm` : `${number(cell)} m`;
+}
+
 function message(title, text) {
   return el("div", { class: "message" }, el("strong", {}, title), el("p", {}, text));
 }
@@ -90,8 +94,7 @@ export function createViewer(run, playhead, tooltip) {
   element.append(el("div", { class: "stage" }, canvas));
   document.body.append(element); // the scene needs its size
   const scene = createScene(canvas, run);
-  const unit = run.truth ? "m" : "map units";
-  element.firstChild.append(createToolbar(run, scene), el("p", { class: "scale" }, `Grid ${number(scene.gridCell)} ${unit}`));
+  element.firstChild.append(createToolbar(run, scene), el("p", { class: "scale" }, `Grid ${run.truth ? gridMetres(scene.gridCell) : `${number(scene.gridCell)} map units`}`));
   element.append(createLegend(run, scene));
   watchPointer(canvas, run, { scene, playhead, tooltip });
   onThemeChange(scene.rebuild);

@@ -1,6 +1,6 @@
 // A chart over the frames: axes, a cursor at the playhead, values under the pointer. What is drawn is the caller's.
 import { card, el, svg } from "../dom.js";
-import { number, seconds } from "../format.js";
+import { seconds } from "../format.js";
 
 const MARGIN = { top: 8, right: 8, bottom: 22, left: 46 };
 const HEIGHT = 168;
@@ -17,6 +17,11 @@ function ticks(low, high, wanted) {
   return values;
 }
 
+/// Multiples of a round step, without what their sums have too much.
+function tickText(value) {
+  return String(Number(value.toPrecision(6)));
+}
+
 /// The first frame at or after a time.
 function frameAt(times, time) {
   let low = 0;
@@ -30,11 +35,11 @@ function frameAt(times, time) {
 
 function axes(frames, { x, y, high, width }) {
   const last = frames.time_s[frames.count - 1];
-  const xs = ticks(0, last, width / X_TICK_PX).map((time) => [x(frameAt(frames.time_s, time) + 0.5), `${number(time)} s`]);
+  const xs = ticks(0, last, width / X_TICK_PX).map((time) => [x(frameAt(frames.time_s, time) + 0.5), `${tickText(time)} s`]);
   return svg("g", { class: "axes" },
     ...ticks(0, high, Y_TICKS).flatMap((value) => [
       svg("line", { x1: MARGIN.left, x2: width - MARGIN.right, y1: y(value), y2: y(value) }),
-      svg("text", { x: MARGIN.left - 6, y: y(value), dy: "0.32em", "text-anchor": "end" }, value === 0 ? "0" : String(Number(value.toPrecision(6)))),
+      svg("text", { x: MARGIN.left - 6, y: y(value), dy: "0.32em", "text-anchor": "end" }, tickText(value)),
     ]),
     ...xs.map(([at, label]) => svg("text", { x: at, y: HEIGHT - 5, "text-anchor": "middle" }, label)));
 }

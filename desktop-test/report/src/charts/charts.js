@@ -10,6 +10,10 @@ const STAGES = [
 const SHOWN = 0.99; // share of the frames that fit under the top of the chart of times
 const HEADROOM = 1.15;
 
+function largest(values) {
+  return values.reduce((most, value) => Math.max(most, value), 0);
+}
+
 /// [{key, name, values}], lowest first: the stages, what the call took beside them, mapping.
 function timeSeries(frames) {
   const stages = STAGES.map(([key, name]) => ({ key: key.replace("_ms", ""), name, values: frames[key] }));
@@ -34,7 +38,7 @@ function timesChart(run) {
   const { frames } = run;
   const areas = stack(timeSeries(frames), frames.count);
   const total = areas.length > 0 ? areas[areas.length - 1].high : new Float32Array(frames.count);
-  const high = Math.max(0.1, Math.min(HEADROOM * quantile(total, SHOWN), HEADROOM * Math.max(...total)) || 0);
+  const high = Math.max(0.1, HEADROOM * Math.min(quantile(total, SHOWN), largest(total)) || 0);
   const above = total.filter((value) => value > high).length;
   const { update } = run.stats.time_ms;
   const median = update ? `Median ${milliseconds(update.median)}, 95th percentile ${milliseconds(update.p95)}` : "No frame";
@@ -58,7 +62,7 @@ function inliersChart(run) {
     title: "Landmarks per frame",
     summary: inliers.some(Number.isFinite) ? `Median of ${count(quantile(inliers, 0.5))} agree with the pose.` : "No frame was tracked.",
     legend: [{ swatch: "visible", name: "In view" }, { swatch: "inliers", name: "Agree with the pose" }],
-    high: Math.max(1, HEADROOM * Math.max(...visible)),
+    high: Math.max(1, HEADROOM * largest(visible)),
     draw: (scales) => [
       svg("path", { class: "visible", d: stepArea(new Float32Array(frames.count), visible, scales) }),
       svg("path", { class: "inliers line", d: linePath(inliers, scales) }),
@@ -71,7 +75,7 @@ function errorChart(run) {
   const { error } = run.truth;
   const known = error.filter(Number.isFinite);
   const rms = Math.sqrt(known.reduce((sum, value) => sum + value * value, 0) / known.length);
-  const most = Math.max(...known);
+  const most = largest(known);
   const scale = most < 0.01 ? 1000 : most < 1 ? 100 : 1;
   const unit = { 1000: "mm", 100: "cm", 1: "m" }[scale];
   return {

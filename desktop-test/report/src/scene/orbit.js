@@ -1,16 +1,16 @@
 // The eye: orbiting by mouse, touch and keys, the views of the buttons, following the camera.
 import { PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { fitView } from "./fit.js";
 
 const KEY_ANGLE = 0.1; // rad per key press
 const KEY_ZOOM = 1.15;
 const FIELD_OF_VIEW = 45; // degrees
 const VIEWS = {
   // Behind the cameras, above and to one side: what they saw lies in front.
-  home: { side: 0.55, height: 0.62, distance: 2.3 },
-  top: { side: 0.0, height: 1000.0, distance: 2.5 },
+  home: { side: 0.5, height: 0.62 },
+  top: { side: 0.0, height: 1000.0 },
 };
-
 export function createEye(element, world, onChange) {
   const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, world.radius / 200, world.radius * 200);
   const controls = new OrbitControls(camera, element);
@@ -20,13 +20,12 @@ export function createEye(element, world, onChange) {
   let followed = null;
 
   function look(name) {
-    const { side, height, distance } = VIEWS[name];
+    const { side, height } = VIEWS[name];
     const across = new Vector3().crossVectors(world.forward, camera.up);
-    const from = world.forward.clone().negate().addScaledVector(across, side).add(new Vector3(0, height, 0)).normalize();
-    // A narrow window sees less to the sides.
-    const room = distance / Math.min(1, Math.max(0.6, camera.aspect));
-    controls.target.copy(world.center);
-    camera.position.copy(world.center).addScaledVector(from, room * world.radius);
+    const from = world.forward.clone().negate().addScaledVector(across, side).addScaledVector(camera.up, height).normalize();
+    const { target, distance } = fitView(world.extent, from, camera);
+    controls.target.copy(target);
+    camera.position.copy(target).addScaledVector(from, distance);
     controls.update();
     onChange();
   }

@@ -9,8 +9,16 @@ import { createEye } from "./orbit.js";
 import { measureWorld } from "./world.js";
 
 const MAX_PIXEL_RATIO = 2;
-const KEYFRAME_DEPTH = 0.035, CAMERA_DEPTH = 0.14; // of the scene's radius
+const KEYFRAME_DEPTH = 0.07; // of the path's radius, within
+const KEYFRAME_LIMITS = [0.014, 0.04]; // of the scene's
+const CAMERA_DEPTH = 0.12; // of the scene's
 const PICK_PX = 18;
+
+/// How deep keyframes are drawn: on a short path they must not hide it, nor be too small to see.
+function keyframeDepth({ radius, pathRadius }) {
+  const [least, most] = KEYFRAME_LIMITS.map((share) => share * radius);
+  return Math.min(most, Math.max(least, KEYFRAME_DEPTH * pathRadius));
+}
 
 export function hasWebGl() {
   return Boolean(document.createElement("canvas").getContext("webgl2"));
@@ -37,7 +45,7 @@ function buildLayers(run, world, corners, colors) {
     layers.past = segments(path.ends, pathColors, { width: 3.5 });
     layers.whole = segments(path.ends, pathColors, { width: 2, opacity: 0.25 });
   }
-  if (run.keyframes.length > 0) layers.keyframes = keyframeLayer(run, corners, KEYFRAME_DEPTH * world.radius, colors);
+  if (run.keyframes.length > 0) layers.keyframes = keyframeLayer(run, corners, keyframeDepth(world), colors);
   if (run.loops.length > 0) layers.loops = loopLayer(run, colors);
   if (run.truth?.path.length > 3) layers.truth = truthLayer(run, colors);
   if (run.truth?.position.some(Boolean)) layers.errors = errorLayer(run, colors);
@@ -74,7 +82,7 @@ export function createScene(canvas, run) {
     map.quaternion.copy(world.rotation);
     const built = buildLayers(run, world, corners, colors);
     const current = createFrustum(corners, CAMERA_DEPTH * world.radius, 2.5, draw);
-    const marked = createFrustum(corners, 2 * KEYFRAME_DEPTH * world.radius, 2.5, draw);
+    const marked = createFrustum(corners, 2.5 * keyframeDepth(world), 2.5, draw);
     map.add(...Object.values(built.layers), current.object, marked.object);
     const grid = floorGrid(world, run.truth?.metersPerUnit ?? 1, colors);
     scene.add(map, grid.object);

@@ -1,8 +1,9 @@
 // How the map stands upright, and where it is. Cameras have x right, y down, z forward; the world
 // is the first keyframe's camera, which may be held at any angle: up is what was up on average.
-import { Quaternion, Vector3 } from "three";
+import { Box3, Quaternion, Vector3 } from "three";
 
-const OUTLIERS = 0.02; // share of landmarks beyond either end that do not count for the extent
+// Far landmarks are few, uncertain and without end: the nearest to where the cameras were make the extent.
+const NEAR_SHARE = 0.7;
 const UP = new Vector3(0, 1, 0);
 
 function meanAxis(poses, x, y, z) {
@@ -11,11 +12,11 @@ function meanAxis(poses, x, y, z) {
   return sum;
 }
 
-function quantiles(values) {
-  if (values.length === 0) return null;
-  values.sort((a, b) => a - b);
-  const at = (share) => values[Math.floor(share * (values.length - 1))];
-  return { low: at(OUTLIERS), high: at(1 - OUTLIERS) };
+/// The landmarks that are nearest to the middle of the path.
+function nearest(landmarks, path) {
+  const middle = path.reduce((sum, p) => sum.addScaledVector(p, 1 / path.length), new Vector3());
+  const byDistance = landmarks.map((p) => [p.distanceTo(middle), p]).sort(([a], [b]) => a - b);
+  return byDistance.slice(0, Math.ceil(NEAR_SHARE * byDistance.length)).map(([, p]) => p);
 }
 
 /// The rotation that puts the map upright.
@@ -25,32 +26,30 @@ function uprightRotation(poses) {
   return new Quaternion().setFromUnitVectors(up.normalize(), UP);
 }
 
-/// {rotation, center, radius, floor, forward} of the upright map; forward is where the cameras look.
+/// Of the upright map: rotation, what is to be seen at first (extent, center, radius, floor), radius of the path,
+/// forward (where the cameras look).
 export function measureWorld(run) {
   const placed = run.poses.filter(Boolean);
   const poses = placed.length > 0 ? placed : run.keyframes;
   const rotation = uprightRotation(poses);
-  const points = poses.map((pose) => new Vector3(...pose.position).applyQuaternion(rotation));
+  const path = poses.map((pose) => new Vector3(...pose.position).applyQuaternion(rotation));
   const landmarks = [];
   for (let i = 0; i < run.landmarks.count; ++i) {
     landmarks.push(new Vector3().fromArray(run.landmarks.positions, 3 * i).applyQuaternion(rotation));
   }
-  const low = new Vector3(), high = new Vector3();
-  for (const axis of ["x", "y", "z"]) {
-    const path = points.map((p) => p[axis]);
-    const spread = quantiles(landmarks.map((p) => p[axis])) ?? { low: Infinity, high: -Infinity };
-    low[axis] = Math.min(spread.low, ...path);
-    high[axis] = Math.max(spread.high, ...path);
-    if (!(low[axis] <= high[axis])) [low[axis], high[axis]] = [-1, 1];
-  }
+  const extent = [...path, ...nearest(landmarks, path)];
+  const box = new Box3().setFromPoints(extent);
+  const halfDiagonal = (of) => Math.max(1e-3, 0.5 * of.min.distanceTo(of.max));
   const forward = meanAxis(poses, 0, 0, 1).applyQuaternion(rotation).setY(0);
   if (forward.length() < 1e-6) forward.set(0, 0, -1);
   return {
     rotation,
-    center: low.clone().add(high).multiplyScalar(0.5),
-    radius: Math.max(1e-3, 0.5 * low.distanceTo(high)),
-    floor: low.y,
+    extent,
+    center: box.getCenter(new Vector3()),
+    radius: halfDiagonal(box),
+    pathRadius: path.length > 0 ? halfDiagonal(new Box3().setFromPoints(path)) : 1e-3,
+    floor: box.min.y,
+    heights: { low: box.min.y, high: box.max.y },
     forward: forward.normalize(),
-    heights: { low: low.y, high: high.y },
   };
 }
