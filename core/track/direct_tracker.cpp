@@ -64,8 +64,7 @@ TrackedFrame DirectTracker::track(const Frame& frame,
   const SE3d T_ref_world = reference_->pose.T_cam_world(*frame.map);
   SE3d T_cam_ref_guess = T_cam_world_guess * T_ref_world.inverse();
   T_cam_ref_guess.t /= reference_->pose.growth(*frame.map);  // the reference keeps its unit
-  alignment_ = aligner_->align(T_cam_ref_guess);
-  const AlignResult& align = alignment_;
+  const AlignResult& align = alignment_ = aligner_->align(T_cam_ref_guess);
   if (align.valid) tracked = makeTracked(align, *frame.map);
   const double surprise =
       distanceBetween(align.T_cam_ref, T_cam_ref_guess, reference_->median_depth);
