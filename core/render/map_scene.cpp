@@ -43,7 +43,6 @@ void MapScene::setStyle(const MapStyle& style) {
 
 void MapScene::setMap(std::shared_ptr<const MapView> map) {
   if (map == map_) return;
-  if (map->resets != map_->resets) path_.clear();
   map_ = std::move(map);
   landmarks_.assign(landmarkRecords(*map_));
   keyframes_.assign(keyframeRecords(*map_));

@@ -44,6 +44,7 @@ void ScenePath::append(const FrameResult& frame, const MapView& map) {
     is_interrupted_ = true;
     return;
   }
+  if (frame.map_generation != generation_) beginIn(frame.map_generation);
   Color color = colorOf(frame.tracker);
   if (is_interrupted_) color[3] = 0.0F;
   is_interrupted_ = false;
@@ -56,20 +57,23 @@ void ScenePath::append(const FrameResult& frame, const MapView& map) {
 }
 
 void ScenePath::place(const MapView& map) {
+  if (map.generation != generation_) beginIn(map.generation);
   std::vector<PoseRecord> records;
   records.reserve(frames_.size());
   for (const Frame& frame : frames_) records.push_back(placed(frame, map));
   records_.assign(std::move(records));
 }
 
-void ScenePath::clear() {
+void ScenePath::beginIn(std::uint64_t generation) {
+  generation_ = generation;
   frames_.clear();
   records_.assign({});
   is_interrupted_ = true;
 }
 
-PoseRecord ScenePath::placed(const Frame& frame, const MapView& map) {
-  const MapView::Keyframe* keyframe = findKeyframe(map, frame.keyframe);
+PoseRecord ScenePath::placed(const Frame& frame, const MapView& map) const {
+  const bool is_of_map = map.generation == generation_;
+  const MapView::Keyframe* keyframe = is_of_map ? findKeyframe(map, frame.keyframe) : nullptr;
   if (keyframe == nullptr) return poseRecord(frame.T_world_cam, frame.color);
   const double growth = keyframe->scale / frame.reference_scale;
   const SE3d T_ref_cam{frame.T_ref_cam.q, growth * frame.T_ref_cam.t};

@@ -19,15 +19,16 @@ const MapView::Keyframe* findKeyframe(const MapView& map, std::uint64_t id);
 /// What is drawn of a camera.
 PoseRecord poseRecord(const SE3d& T_world_cam, const PackedColor& color);
 
-/// The camera's way, frame by frame. Each frame hangs at a keyframe and goes where the map moves
-/// that to.
+/// The camera's way through one map (MapView::generation), frame by frame. Each frame hangs at a
+/// keyframe and goes where the map moves that to.
 class ScenePath {
  public:
-  /// A frame that was tracked. One that was not interrupts the way.
+  /// A frame that was tracked. One that was not interrupts the way; one of another map begins it
+  /// anew.
   void append(const FrameResult& frame, const MapView& map);
-  /// Moves all frames to where `map` has their keyframes now.
+  /// Moves all frames to where `map` has their keyframes now. Another map than theirs begins the
+  /// way anew.
   void place(const MapView& map);
-  void clear();
 
   /// One for each tracked frame, in their order.
   SceneArray<PoseRecord>& records() { return records_; }
@@ -41,8 +42,10 @@ class ScenePath {
     SE3d T_world_cam;  ///< as tracked: serves until the map has the keyframe
     PackedColor color{};
   };
-  static PoseRecord placed(const Frame& frame, const MapView& map);
+  void beginIn(std::uint64_t generation);
+  PoseRecord placed(const Frame& frame, const MapView& map) const;
 
+  std::uint64_t generation_ = 0;  ///< of the frames
   std::vector<Frame> frames_;
   SceneArray<PoseRecord> records_;
   bool is_interrupted_ = true;  ///< no line leads to the first frame

@@ -56,7 +56,7 @@ class GLIDE_API MapRenderer {
   void setStyle(const MapStyle& style);
   /// The map that is drawn from now on; uploaded by the next draw. Never null. Frames are placed by
   /// its keyframes, so that a loop closure moves the trajectory, too. A map of another
-  /// MapView::resets forgets the frames.
+  /// MapView::generation forgets the frames.
   void setMap(std::shared_ptr<const MapView> map);
   /// The camera whose frusta are drawn.
   void setIntrinsics(const CameraIntrinsics& camera);

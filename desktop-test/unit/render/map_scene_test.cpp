@@ -74,9 +74,9 @@ TEST_F(MapSceneTest, MovesTheWayWithAMapThatWasCorrected) {
   EXPECT_NEAR(after.p_world[0], before.p_world[0], 1e-5F);
 }
 
-TEST_F(MapSceneTest, ForgetsTheFramesOfAMapThatWasReset) {
+TEST_F(MapSceneTest, ForgetsTheFramesOfAMapThatWasReplaced) {
   auto other = std::make_shared<MapView>();
-  other->resets = room_.map->resets + 1;
+  other->generation = room_.map->generation + 1;
   scene_.setMap(other);
   EXPECT_EQ(scene_.frames().size(), 0U);
   EXPECT_EQ(scene_.landmarks().size(), 0U);

@@ -118,15 +118,33 @@ TEST(ScenePath, HasNoLineToTheFirstFrameNorAcrossALoss) {
   EXPECT_EQ(alphas, (std::vector<int>{0, 255, 0, 255}));
 }
 
-TEST(ScenePath, BeginsAnewAfterItWasCleared) {
+TEST(ScenePath, BeginsAnewInAnotherMap) {
   ScenePath path;
-  path.append(frameAt(kWorldKey, kKeyCam), MapView{});
-  path.clear();
+  MapView map = mapWith(kWorldKey);
+  path.append(frameAt(kWorldKey, kKeyCam), map);
+  map.generation = 1;
+  path.place(map);
   EXPECT_EQ(path.records().size(), 0U);
-  path.place(mapWith(kWorldKey));
-  EXPECT_EQ(path.records().size(), 0U);
-  path.append(frameAt(kWorldKey, kKeyCam), MapView{});
+  FrameResult frame = frameAt(kWorldKey, kKeyCam);
+  frame.map_generation = 1;
+  path.append(frame, map);
+  ASSERT_EQ(path.records().size(), 1U);
   EXPECT_EQ(path.records().items()[0].color[3], 0);
+}
+
+TEST(ScenePath, TakesAFrameOfANewMapBeforeTheMapAndNoKeyframeOfTheOldOne) {
+  ScenePath path;
+  const MapView old_map = mapWith(SE3d{});
+  path.append(frameAt(SE3d{}, kKeyCam), old_map);
+  FrameResult frame = frameAt(kWorldKey, kKeyCam);
+  frame.map_generation = 1;
+  path.append(frame, old_map);
+  ASSERT_EQ(path.records().size(), 1U);
+  expectAt(path.records().items()[0], kWorldKey * kKeyCam);
+  MapView new_map = mapWith(kWorldKey);
+  new_map.generation = 1;
+  path.place(new_map);
+  EXPECT_EQ(path.records().size(), 1U);
 }
 
 }  // namespace
