@@ -35,6 +35,18 @@ fetch_source() {
     mv -T "$deps/new/$name" "$deps/$name"
 }
 
+# Of Ceres' code for blocks of fixed sizes only that for ours is generated (docs/algorithms/bundle-adjustment.md). It makes
+# the library 0.16 MB larger; without it the adjustment of 24 keyframes took 0.22 s instead of 0.16 (x86-64).
+ceres_blocks="(2, 3, 6)"
+specialize_ceres() {
+  local folder="$deps/ceres-solver/internal/ceres" script=generate_template_specializations.py
+  python3 - "$folder/$script" "$ceres_blocks" <<'PYTHON' && (cd "$folder" && python3 -B "$script")
+import pathlib, re, sys
+path = pathlib.Path(sys.argv[1])
+path.write_text(re.sub(r"SPECIALIZATIONS = \[.*?\]", f"SPECIALIZATIONS = [{sys.argv[2]}]", path.read_text(), flags=re.DOTALL))
+PYTHON
+}
+
 # options_of NAME: one cmake argument a line.
 options_of() {
   case "$1" in
@@ -49,7 +61,7 @@ options_of() {
       ;;
     ceres-solver)
       printf '%s\n' -DMINIGLOG=ON -DEIGENSPARSE=ON -DBUILD_{EXAMPLES,BENCHMARKS,DOCUMENTATION}=OFF \
-        -D{GFLAGS,SUITESPARSE,CXSPARSE,ACCELERATESPARSE,LAPACK,CUDA,SCHUR_SPECIALIZATIONS,EXPORT_BUILD_DIR}=OFF
+        -D{GFLAGS,SUITESPARSE,CXSPARSE,ACCELERATESPARSE,LAPACK,CUDA,EXPORT_BUILD_DIR}=OFF
       ;;
   esac
 }
@@ -60,6 +72,7 @@ build_dependency() {
   shift 3
   folder="$prefix/build/$name"
   mapfile -t options < <(options_of "$name")
+  if [ "$name" = ceres-solver ]; then specialize_ceres || return; fi
   cmake -S "$deps/$name" -B "$folder" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_INSTALL_PREFIX="$prefix" \
     -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
     -DBUILD_SHARED_LIBS=OFF -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_CXX_STANDARD=17 \
