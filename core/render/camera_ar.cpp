@@ -53,7 +53,8 @@ class Net {
 
  private:
   const Point& at(int row, int column) const {
-    return points_[static_cast<std::size_t>(row * (parts_ + 1) + column)];
+    const auto columns = static_cast<std::size_t>(parts_) + 1;
+    return points_[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
   }
   template <class Use>
   void useMesh(int row, int column, Use use) const {

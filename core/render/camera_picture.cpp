@@ -107,7 +107,7 @@ Status CameraPicture::draw(const Picture& picture, FrameSize camera, const Pictu
     return Unit{};
   }
   const auto* luma = std::get_if<Luma>(&picture);
-  const Status uploaded =
+  Status uploaded =
       luma != nullptr ? pixels_.upload(*luma) : pixels_.upload(std::get<Rgb>(picture));
   if (!uploaded) return uploaded;
   const FrameSize size = pictureSize(picture, camera);
