@@ -8,7 +8,7 @@
 namespace glide::replay {
 
 std::optional<Failure> makeWatchers(Job& job) {
-  job.watchers.push_back(std::make_unique<ColorWatcher>(job.colors));
+  job.watchers.push_back(std::make_unique<ColorWatcher>(job.config.camera, job.colors));
   if (auto failure = addVideoWatcher(job)) return failure;
   if (auto failure = addReportWatcher(job)) return failure;
   return addViewerWatcher(job);  // last: at its end it waits for a person
