@@ -111,6 +111,7 @@ TEST(CThreads, DoNotWaitForAnUpdateThatIsUnderWay) {
   CWalk walk(gate.config());
   std::thread camera([&] { walk.walk(kStart); });
   gate.waitUntilHeld();
+  std::future<glide_status> answer;
   for (const auto& call : {locate,
                            pushImu,
                            backend,
@@ -120,7 +121,7 @@ TEST(CThreads, DoNotWaitForAnUpdateThatIsUnderWay) {
                            lookAtMap,
                            changeWorld,
                            glide_session_wait_for_mapping}) {
-    auto answer = std::async(std::launch::async, call, walk.session());
+    answer = std::async(std::launch::async, call, walk.session());
     const bool is_done = answer.wait_for(kPatience) == std::future_status::ready;
     EXPECT_TRUE(is_done);
     if (!is_done) break;

@@ -79,7 +79,7 @@ final class ArRenderer implements GLSurfaceView.Renderer {
   @Override
   public void onSurfaceCreated(GL10 gl, EGLConfig config) {
     if (ar != null) {
-      ar.session.abandonGl();
+      guarded(ar.session::abandonGl);
     }
     abandonFrames();
     background = new CameraBackground();
@@ -133,7 +133,7 @@ final class ArRenderer implements GLSurfaceView.Renderer {
     }
     int rotation =
         DisplayTransform.imageRotation(ar.camera.getSensorOrientation(), displayRotation);
-    ar.session.setDisplayGeometry(rotation, width, height);
+    guarded(() -> ar.session.setDisplayGeometry(rotation, width, height));
     transform = new DisplayTransform(
         ar.camera.getSize().getWidth(), ar.camera.getSize().getHeight(), rotation, width, height);
     background.setTransform(transform);

@@ -19,6 +19,7 @@ final class ArSession implements AutoCloseable {
   final Session session;
   private Surface surface;
   private boolean isResumed;
+  private boolean isClosed;
 
   /** After the permission was granted: without it Android hides the calibration. */
   ArSession(Context context, Camera2Source.Listener listener) {
@@ -48,15 +49,21 @@ final class ArSession implements AutoCloseable {
   }
 
   private void startCamera() {
-    if (isResumed && surface != null) {
+    if (isResumed && !isClosed && surface != null) {
       camera.start(surface);
     }
   }
 
-  /** When the GL thread does not draw any more; may take seconds. */
+  /** May take seconds, and waits for a frame that is being tracked; more than once is fine. */
   @Override
   public void close() {
-    camera.close();
+    synchronized (this) {
+      if (isClosed) {
+        return;
+      }
+      isClosed = true;
+      camera.close();
+    }
     session.abandonGl(); // the context goes with the view
     session.close();
   }

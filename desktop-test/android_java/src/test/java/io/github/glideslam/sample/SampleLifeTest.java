@@ -110,6 +110,21 @@ public final class SampleLifeTest {
   }
 
   @Test
+  public void whatTheViewStillDoesAfterTheEndIsNoReasonToCrash() {
+    makeRenderer();
+    ar.resume();
+    renderer.onSurfaceCreated(null, null);
+    assertEquals(State.RUNNING, settled());
+    ar.close();
+    renderer.onSurfaceCreated(null, null);
+    renderer.onSurfaceChanged(null, 640, 480);
+    renderer.setDisplayRotation(90);
+    renderer.onDrawFrame(null);
+    assertTrue(texts.contains("the session is null or was destroyed"));
+    ar.close();
+  }
+
+  @Test
   public void thePermissionIsAskedForOnce() {
     ActivityController<MainActivity> activity = Robolectric.buildActivity(MainActivity.class);
     activity.setup();
