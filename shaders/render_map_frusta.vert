@@ -6,13 +6,12 @@ precision highp float;
 #include "render_map_view.glsl"
 #include "render_map_stroke.glsl"
 layout(location = 5) uniform vec4 image_plane;  // left, top, right, bottom, at distance 1
-layout(location = 6) uniform vec2 look;         // distance of the image plane, its alpha
+layout(location = 6) uniform vec3 look;         // distance of the image plane; alpha of it and of the edges
 
 layout(location = 0) in vec3 position_world;
 layout(location = 1) in vec4 q_world_cam;  // x, y, z, w
 layout(location = 2) in vec4 camera_color;
 
-const float kEdgeAlpha = 0.85;
 const int kPlaneVertices = 6;
 const int kPlaneCorner[6] = int[](0, 1, 2, 0, 2, 3);
 const int kStripCorner[6] = int[](0, 1, 2, 2, 1, 3);  // of a strip's four, as two triangles
@@ -43,5 +42,5 @@ void main() {
   drawStroke(toClip(begin),
              toClip(planeCorner(corner)),
              kStripCorner[(gl_VertexID - kPlaneVertices) % 6],
-             vec4(camera_color.rgb, kEdgeAlpha));
+             vec4(camera_color.rgb, look.z));
 }

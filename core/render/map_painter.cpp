@@ -7,8 +7,9 @@ namespace {
 
 // Against the trajectory's width: what is there to be overlooked, and what is not.
 constexpr float kEdgeWidth = 0.6F, kLoopWidth = 1.2F, kFrustumWidth = 0.75F, kCameraWidth = 1.4F;
-// Alpha of the image planes.
-constexpr float kPlaneAlpha = 0.12F, kCameraPlaneAlpha = 0.4F;
+// Alpha of image planes and edges. Every frame's would hide all else, were they not faint.
+constexpr float kPlaneAlpha = 0.12F, kFramePlaneAlpha = 0.03F, kCameraPlaneAlpha = 0.4F;
+constexpr float kEdgeAlpha = 0.85F, kFrameEdgeAlpha = 0.3F;
 // Against a keyframe's frustum: every frame's, and the current camera's (map_renderer.h).
 constexpr float kFrameSize = 0.4F, kCameraSize = 2.0F;
 /// The current camera of a plan is a mark, whatever the scale: its frustum's depth.
@@ -108,10 +109,13 @@ void MapPainter::paintFrusta(const MapScene& scene, const Look& look) {
   MapPrograms::Frusta frusta;
   frusta.image_plane = look.image_plane;
   frusta.line_px = kFrustumWidth * style.line_px;
-  frusta.plane_alpha = kPlaneAlpha;
   frusta.size = kFrameSize * style.frustum_size;
+  frusta.plane_alpha = kFramePlaneAlpha;
+  frusta.edge_alpha = kFrameEdgeAlpha;
   if (style.frame_frusta) drawFrusta(frames_, scene.frames().size(), frusta);
   frusta.size = style.frustum_size;
+  frusta.plane_alpha = kPlaneAlpha;
+  frusta.edge_alpha = kEdgeAlpha;
   if (style.keyframes) drawFrusta(keyframes_, scene.keyframes().size(), frusta);
 }
 

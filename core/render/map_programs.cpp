@@ -121,7 +121,7 @@ void MapPrograms::drawFrusta(GLuint cameras, GLsizei count, const Frusta& look) 
   use(frusta_);
   glUniform2f(kStroke, look.line_px, 0.5F * look.line_px);  // round corners
   glUniform4fv(kImagePlane, 1, glm::value_ptr(look.image_plane));
-  glUniform2f(kLook, look.size, look.plane_alpha);
+  glUniform3f(kLook, look.size, look.plane_alpha, look.edge_alpha);
   feed({0, 3, GL_FLOAT, offsetof(PoseRecord, p_world)}, 0);
   feed({1, 4, GL_FLOAT, offsetof(PoseRecord, q_world_cam_xyzw)}, 0);
   feed({2, 4, GL_UNSIGNED_BYTE, offsetof(PoseRecord, color)}, 0);

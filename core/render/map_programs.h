@@ -58,6 +58,7 @@ class MapPrograms {
     float size = 1.0F;      ///< distance of the image plane, scene units
     float line_px = 1.0F;
     float plane_alpha = 0.0F;
+    float edge_alpha = 1.0F;
     GLsizei first = 0;  ///< record of the first camera
   };
   void drawFrusta(GLuint cameras, GLsizei count, const Frusta& look) const;

@@ -35,7 +35,7 @@ struct MapStyle {
   bool loops = true;
   int covisible_neighbors = 3;  ///< edges per keyframe
   /// What the mini map lies on, with a thin frame; alpha 0: on what is there.
-  Color mini_map_ground{1.0F, 1.0F, 1.0F, 0.8F};
+  Color mini_map_ground{1.0F, 1.0F, 1.0F, 0.92F};
 };
 
 /// Draws a map and the camera's way through it in 3-D: landmarks as points (size and alpha by
