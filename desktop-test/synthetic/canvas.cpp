@@ -1,5 +1,7 @@
 #include "synthetic/canvas.h"
 
+#include "synthetic/shape_coverage.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,38 +10,6 @@
 namespace glide::synthetic {
 
 namespace {
-
-/// Signed distance (about) from a point in the shape's own axes to its outline, negative inside.
-float signedDistance(const Shape& shape, float x, float y) {
-  const float ax = std::abs(x), ay = std::abs(y);
-  switch (shape.kind) {
-    case ShapeKind::rectangle:
-      return std::max(ax - shape.half_w, ay - shape.half_h);
-    case ShapeKind::ellipse:
-      return (std::hypot(x / shape.half_w, y / shape.half_h) - 1.0F) *
-             std::min(shape.half_w, shape.half_h);
-    case ShapeKind::triangle: {
-      const float slope = shape.half_w / (2.0F * shape.half_h);
-      const float side = (ax - slope * (y + shape.half_h)) / std::hypot(1.0F, slope);
-      return std::max(side, ay - shape.half_h);
-    }
-  }
-  return 0.0F;
-}
-
-struct PixelBox {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
-PixelBox boundingBox(const Canvas& canvas, const Shape& shape) {
-  const float c = std::abs(std::cos(shape.angle)), s = std::abs(std::sin(shape.angle));
-  const float rx = c * shape.half_w + s * shape.half_h + 1.0F;
-  const float ry = s * shape.half_w + c * shape.half_h + 1.0F;
-  return {std::max(0, static_cast<int>(std::floor(shape.x - rx))),
-          std::max(0, static_cast<int>(std::floor(shape.y - ry))),
-          std::min(canvas.width() - 1, static_cast<int>(std::ceil(shape.x + rx))),
-          std::min(canvas.height() - 1, static_cast<int>(std::ceil(shape.y + ry)))};
-}
 
 /// One octave of white noise in -1..1.
 ImageF whiteNoise(int width, int height, Random* random) {
@@ -100,18 +70,11 @@ void fill(Canvas* canvas, float value) {
 }
 
 void draw(Canvas* canvas, const Shape& shape) {
-  const PixelBox box = boundingBox(*canvas, shape);
-  const float c = std::cos(shape.angle), s = std::sin(shape.angle);
-  for (int y = box.y0; y <= box.y1; ++y) {
-    float* row = canvas->albedo.row(y);
-    const float dy = static_cast<float>(y) + 0.5F - shape.y;
-    for (int x = box.x0; x <= box.x1; ++x) {
-      const float dx = static_cast<float>(x) + 0.5F - shape.x;
-      const float distance = signedDistance(shape, c * dx + s * dy, c * dy - s * dx);
-      const float cover = std::clamp(0.5F - distance, 0.0F, 1.0F) * shape.opacity;
-      row[x] += cover * (shape.value - row[x]);
-    }
-  }
+  const auto paint = [&](int x, int y, float cover) {
+    float& texel = canvas->albedo.row(y)[x];
+    texel += cover * (shape.value - texel);
+  };
+  forEachCovered(canvas->width(), canvas->height(), shape, paint);
 }
 
 void drawRect(Canvas* canvas, const Rect& rect, float value) {

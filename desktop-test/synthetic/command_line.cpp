@@ -15,7 +15,8 @@ const std::map<std::string, SceneKind> kScenes{{"room", SceneKind::room},
                                                {"desk", SceneKind::desk},
                                                {"corridor", SceneKind::corridor},
                                                {"hall", SceneKind::hall},
-                                               {"arcade", SceneKind::arcade}};
+                                               {"arcade", SceneKind::arcade},
+                                               {"living-room", SceneKind::living_room}};
 const std::map<std::string, Layout> kLayouts{{"tum", Layout::tum}, {"euroc", Layout::euroc}};
 const std::map<std::string, DistortionModel> kCameras{
     {"pinhole", DistortionModel::none},
@@ -85,12 +86,13 @@ void addMilliseconds(CLI::App* app,
 void addSceneOptions(CLI::App* app, Command* command) {
   SequenceOptions& sequence = command->sequence;
   addChoice(app, "--scene", kScenes, &sequence.scene, "what is seen (default room)");
-  addChoice(app, "--layout", kLayouts, &command->layout, "files to write (default tum)");
+  addChoice(app, "--layout", kLayouts, &command->format.layout, "files to write (default tum)");
   app->add_option("--frames", sequence.frames, "number of images; 0 = the whole walk")
       ->capture_default_str();
   app->add_option("--fps", sequence.fps, "images per second")->capture_default_str();
   app->add_option("--seed", sequence.seed, "textures and noise; the same seed gives the same bytes")
       ->capture_default_str();
+  app->add_flag("--color", command->format.in_color, "images in colour (--scene living-room)");
   app->add_flag("--overwrite", command->overwrite, "write into a folder that is not empty");
   app->add_flag("--quiet", command->quiet, "no progress");
 }
@@ -153,6 +155,10 @@ void addSensorOptions(CLI::App* app, Sensor* sensor) {
              sensor->bias_begin = range.first;
              sensor->bias_end = range.last;
            });
+  app->add_option("--metering",
+                  sensor->metering,
+                  "how much the gain follows the brightness of the view: 0 fixed, 1 fully")
+      ->capture_default_str();
   app->add_option("--flicker", sensor->flicker, "random change of gain from image to image, share")
       ->capture_default_str();
   addMilliseconds(app,

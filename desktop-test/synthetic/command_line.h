@@ -11,7 +11,7 @@ namespace glide::synthetic {
 /// What `glide-synth` was asked to do.
 struct Command {
   std::filesystem::path folder;
-  Layout layout = Layout::tum;
+  DatasetFormat format;
   bool overwrite = false;
   bool quiet = false;
   SequenceOptions sequence;

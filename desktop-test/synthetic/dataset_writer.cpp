@@ -1,11 +1,18 @@
 #include "synthetic/dataset_writer.h"
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <array>
+#include <atomic>
 #include <cstdio>
 #include <fstream>
+#include <future>
+#include <mutex>
 #include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 namespace glide::synthetic {
 
@@ -43,13 +50,24 @@ Status writeText(const fs::path& file, const std::string& text) {
   return Unit{};
 }
 
-Status writePng(const fs::path& file, const ImageU8& image) {
-  const auto step = static_cast<std::size_t>(image.stride());
-  const cv::Mat mat(
-      image.height(), image.width(), CV_8U, const_cast<std::uint8_t*>(image.row(0)), step);
+/// The view's pixels, in OpenCV's order of colours. Valid as long as `image`.
+cv::Mat pixelsOf(const ImageU8& image, bool in_color) {
+  const int channels = in_color ? 3 : 1;
+  const cv::Mat pixels(image.height(),
+                       image.width() / channels,
+                       CV_8UC(channels),
+                       const_cast<std::uint8_t*>(image.row(0)),
+                       static_cast<std::size_t>(image.stride()));
+  if (!in_color) return pixels;
+  cv::Mat blue_first;
+  cv::cvtColor(pixels, blue_first, cv::COLOR_RGB2BGR);
+  return blue_first;
+}
+
+Status writePng(const fs::path& file, const cv::Mat& pixels) {
   constexpr int kFast = 1;  // zlib level: speed over the last 10 % of size
   try {
-    if (cv::imwrite(file.string(), mat, {cv::IMWRITE_PNG_COMPRESSION, kFast})) return Unit{};
+    if (cv::imwrite(file.string(), pixels, {cv::IMWRITE_PNG_COMPRESSION, kFast})) return Unit{};
   } catch (const cv::Exception&) {  // same outcome as false
   }
   return Error{ErrorCode::io, file.string() + ": cannot be written"};
@@ -161,26 +179,79 @@ Status makeFolders(const Files& files) {
   return Unit{};
 }
 
+/// Files of the images, one by one as threads ask for them, and what became of them.
+class ImageQueue {
+ public:
+  ImageQueue(std::vector<fs::path> files, const Progress& progress)
+      : files_(std::move(files)), progress_(progress) {}
+
+  /// Renders and writes until there are no more, or one could not be written.
+  void work(Sequence* sequence, bool in_color) {
+    ImageU8 image;
+    for (std::size_t i = next_++; i < files_.size() && !has_failed_; i = next_++) {
+      const int frame = static_cast<int>(i);
+      if (in_color) {
+        sequence->colorImage(frame, &image);
+      } else {
+        sequence->image(frame, &image);
+      }
+      finish(writePng(files_[i], pixelsOf(image, in_color)));
+    }
+  }
+  /// Of the first that failed; when all threads have come back.
+  const Status& status() const { return status_; }
+
+ private:
+  void finish(const Status& status) {
+    const std::lock_guard lock(mutex_);
+    if (!status && !has_failed_.exchange(true)) status_ = status;
+    progress_(++done_);
+  }
+
+  const std::vector<fs::path> files_;
+  const Progress& progress_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> has_failed_{false};
+  std::mutex mutex_;
+  int done_ = 0;
+  Status status_ = Unit{};
+};
+
+/// On all cores: frames do not depend on each other.
+Status writeImages(Sequence* sequence, bool in_color, ImageQueue* queue) {
+  std::vector<Sequence> copies;
+  for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) {
+    Result<Sequence> copy = Sequence::create(sequence->options(), sequence->scene());
+    if (!copy) return copy.error();
+    copies.push_back(std::move(*copy));
+  }
+  std::vector<std::future<void>> helpers;
+  for (Sequence& copy : copies)
+    helpers.push_back(std::async(std::launch::async, [&] { queue->work(&copy, in_color); }));
+  queue->work(sequence, in_color);
+  for (const std::future<void>& helper : helpers) helper.wait();
+  return queue->status();
+}
+
 }  // namespace
 
 Status writeDataset(Sequence* sequence,
-                    Layout layout,
+                    const DatasetFormat& format,
                     const fs::path& folder,
                     const Progress& progress) {
-  const bool is_tum = layout == Layout::tum;
+  const bool is_tum = format.layout == Layout::tum;
   Files files =
       is_tum ? beginTum(folder, sequence->options()) : beginEuroc(folder, sequence->options());
   if (const Status status = makeFolders(files); !status) return status;
-  ImageU8 image;
+  std::vector<fs::path> images;
   for (int frame = 0; frame < sequence->size(); ++frame) {
     const std::int64_t t_ns = sequence->timestamp(frame);
-    const std::string name = (is_tum ? addTumImage : addEurocImage)(t_ns, &files);
+    images.push_back(files.images / (is_tum ? addTumImage : addEurocImage)(t_ns, &files));
     if (!sequence->isKidnapped(frame))
       (is_tum ? addTumTruth : addEurocTruth)(t_ns, sequence->T_world_cam(frame), &files);
-    sequence->image(frame, &image);
-    if (const Status status = writePng(files.images / name, image); !status) return status;
-    progress(frame + 1);
   }
+  ImageQueue queue(std::move(images), progress);
+  if (const Status status = writeImages(sequence, format.in_color, &queue); !status) return status;
   if (const Status status = writeText(files.image_list, files.image_lines); !status) return status;
   if (const Status status = writeText(files.truth, files.truth_lines); !status) return status;
   return writeText(files.calibration, files.calibration_text);

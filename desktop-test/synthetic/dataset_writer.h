@@ -15,14 +15,20 @@ enum class Layout {
           ///< the identity)
 };
 
-/// Called after each frame with the number of frames written so far.
+/// How a dataset is written. Colour needs a scene that has colours.
+struct DatasetFormat {
+  Layout layout = Layout::tum;
+  bool in_color = false;
+};
+
+/// Called after each frame with the number of frames written so far, by one thread at a time.
 using Progress = std::function<void(int)>;
 
-/// Renders the whole sequence into `folder`, which is made when missing; files in the way are
-/// replaced. Frames in which the camera is carried away have no ground truth. io error naming the
-/// file that cannot be written.
+/// Renders the whole sequence on all cores into `folder`, which is made when missing; files in the
+/// way are replaced. Frames in which the camera is carried away have no ground truth. io error
+/// naming the file that cannot be written.
 Status writeDataset(Sequence* sequence,
-                    Layout layout,
+                    const DatasetFormat& format,
                     const std::filesystem::path& folder,
                     const Progress& progress);
 

@@ -40,8 +40,10 @@ int run(const Command& command) {
   }
   auto sequence = Sequence::create(command.sequence);
   if (!sequence) return fail(kUsage, sequence.error().message);
+  if (command.format.in_color && !sequence->scene()->has_color)
+    return fail(kUsage, "--color: this scene is gray (--scene living-room has colours)");
   const auto status =
-      writeDataset(&*sequence, command.layout, command.folder, makeProgress(command));
+      writeDataset(&*sequence, command.format, command.folder, makeProgress(command));
   if (!status) return fail(kCannotWrite, status.error().message);
   if (!command.quiet) std::printf("%d frames in %s\n", sequence->size(), command.folder.c_str());
   return 0;

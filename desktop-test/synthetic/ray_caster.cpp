@@ -6,6 +6,11 @@
 
 namespace glide::synthetic {
 
+bool isInEllipse(const Surface& surface, float u, float v) {
+  const float x = 2.0F * u / surface.width - 1.0F, y = 2.0F * v / surface.height - 1.0F;
+  return x * x + y * y <= 1.0F;
+}
+
 void RayCaster::moveTo(const Vec3f& center_world) {
   for (Target& target : targets_) {
     const Vec3f offset = center_world - target.surface->origin;
@@ -27,6 +32,7 @@ Hit RayCaster::trace(const Vec3f& d_world) const {
     const float u = target.u + range * surface.axis_u.dot(d_world);
     const float v = target.v + range * surface.axis_v.dot(d_world);
     if (u < 0.0F || v < 0.0F || u >= surface.width || v >= surface.height) continue;
+    if (surface.is_round && !isInEllipse(surface, u, v)) continue;
     nearest = range;
     hit.index = static_cast<int>(i);
   }
@@ -34,8 +40,9 @@ Hit RayCaster::trace(const Vec3f& d_world) const {
   return hit;
 }
 
-float RayCaster::shade(const Hit& hit, const Vec3f& d_world, float pixel_angle) const {
-  if (hit.index < 0) return 0.0F;
+template <class Value>
+Value RayCaster::shade(const Hit& hit, const Vec3f& d_world, float pixel_angle) const {
+  if (hit.index < 0) return black<Value>();
   constexpr float kMaxTaps =
       8.0F;  // beyond 83 degrees of slope the texture is blurred a little more
   const Target& target = targets_[static_cast<std::size_t>(hit.index)];
@@ -48,14 +55,17 @@ float RayCaster::shade(const Hit& hit, const Vec3f& d_world, float pixel_angle) 
   const float minor = hit.range * pixel_angle * texels;
   const float stretch = hit.range / target.height;
   const float taps = std::clamp(std::round(stretch), 1.0F, kMaxTaps);
-  if (taps == 1.0F) return surface.texture.sample(u, v, minor);
+  if (taps == 1.0F) return surface.texture.sample<Value>(u, v, minor);
   const float footprint = minor * std::max(1.0F, stretch / taps);
   const float step = minor * stretch / (taps * std::max(1e-6F, std::hypot(du, dv)));
-  float sum = 0.0F;
+  Value sum = black<Value>();
   for (float tap = 0.5F - 0.5F * taps; tap < 0.5F * taps; tap += 1.0F) {
-    sum += surface.texture.sample(u + tap * step * du, v + tap * step * dv, footprint);
+    sum += surface.texture.sample<Value>(u + tap * step * du, v + tap * step * dv, footprint);
   }
   return sum / taps;
 }
+
+template float RayCaster::shade<float>(const Hit&, const Vec3f&, float) const;
+template Vec3f RayCaster::shade<Vec3f>(const Hit&, const Vec3f&, float) const;
 
 }  // namespace glide::synthetic

@@ -8,6 +8,9 @@
 
 namespace glide::synthetic {
 
+/// Whether a point of the surface's rectangle (metres) lies in the ellipse that fills it.
+bool isInEllipse(const Surface& surface, float u, float v);
+
 /// Where a ray meets a surface.
 struct Hit {
   int index = -1;      ///< of the surface, in the order of add(); -1 = nothing
@@ -24,8 +27,10 @@ class RayCaster {
 
   /// The nearest surface along a direction, both in the world; a surface is invisible from behind.
   Hit trace(const Vec3f& d_world) const;
-  /// Radiance at a hit, averaged over the cone of one pixel (radians).
-  float shade(const Hit& hit, const Vec3f& d_world, float pixel_angle) const;
+  /// Radiance at a hit, averaged over the cone of one pixel (radians): float in a gray scene, Vec3f
+  /// in one with colours.
+  template <class Value>
+  Value shade(const Hit& hit, const Vec3f& d_world, float pixel_angle) const;
 
  private:
   struct Target {

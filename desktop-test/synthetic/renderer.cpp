@@ -19,6 +19,16 @@ Vec3f unitOrZero(const Vec3f& v) {
   return norm > 0.0F ? Vec3f(v / norm) : Vec3f(Vec3f::Zero());
 }
 
+/// As ITU-R BT.601 weighs colours, and OpenCV with it.
+void toLuma(const ImageRgb& color, ImageF* luma) {
+  const Vec3f weights(0.299F, 0.587F, 0.114F);
+  for (int y = 0; y < color.height(); ++y) {
+    const Vec3f* in = color.row(y);
+    float* out = luma->row(y);
+    for (int x = 0; x < color.width(); ++x) out[x] = weights.dot(in[x]);
+  }
+}
+
 }  // namespace
 
 Renderer::Renderer(const CameraModel& camera) : width_(camera.width()), height_(camera.height()) {
@@ -65,8 +75,16 @@ void Renderer::render(const Scene& scene, std::span<const SE3d> T_world_cam_rows
   seen_.assign(bearings_.size(), nullptr);
   prepareViews(T_world_cam_rows);
   prepareOutlines(scene);
-  for (const Tile& tile : tiles_) renderTile(tile, out);
-  for (const Tile& tile : tiles_) smoothTile(tile, out);
+  if (!scene.has_color) return renderTiles(&out->radiance, &out->range);
+  out->color.resize(width_, height_);
+  renderTiles(&out->color, &out->range);
+  toLuma(out->color, &out->radiance);
+}
+
+template <class Value>
+void Renderer::renderTiles(Image<Value>* radiance, ImageF* range) {
+  for (const Tile& tile : tiles_) renderTile(tile, radiance, range);
+  for (const Tile& tile : tiles_) smoothTile(tile, radiance);
 }
 
 void Renderer::prepareViews(std::span<const SE3d> T_world_cam_rows) {
@@ -107,7 +125,8 @@ void Renderer::selectSurfaces(const Tile& tile) {
   }
 }
 
-void Renderer::renderTile(const Tile& tile, Rendering* out) {
+template <class Value>
+void Renderer::renderTile(const Tile& tile, Image<Value>* radiance, ImageF* range) {
   selectSurfaces(tile);
   for (int y = tile.y0; y < tile.y1; ++y) {
     const View& view = viewOfRow(y);
@@ -115,14 +134,15 @@ void Renderer::renderTile(const Tile& tile, Rendering* out) {
     for (int x = tile.x0; x < tile.x1; ++x) {
       const Vec3f d_world = view.R_world_cam * bearings_[at(x, y)];
       const Hit hit = caster_.trace(d_world);
-      out->radiance.row(y)[x] = caster_.shade(hit, d_world, pixel_angles_[at(x, y)]);
-      out->range.row(y)[x] = hit.range;
+      radiance->row(y)[x] = caster_.shade<Value>(hit, d_world, pixel_angles_[at(x, y)]);
+      range->row(y)[x] = hit.range;
       if (hit.index >= 0) seen_[at(x, y)] = selected_[static_cast<std::size_t>(hit.index)];
     }
   }
 }
 
-void Renderer::smoothTile(const Tile& tile, Rendering* out) {
+template <class Value>
+void Renderer::smoothTile(const Tile& tile, Image<Value>* radiance) {
   bool is_ready = false;  // most tiles have no edge and need no surfaces
   for (int y = tile.y0; y < tile.y1; ++y) {
     bool is_placed = false;
@@ -131,7 +151,7 @@ void Renderer::smoothTile(const Tile& tile, Rendering* out) {
       if (!is_ready) selectSurfaces(tile);
       if (!is_placed) caster_.moveTo(viewOfRow(y).center);
       is_ready = is_placed = true;
-      out->radiance.row(y)[x] = supersample(x, y);
+      radiance->row(y)[x] = supersample<Value>(x, y);
     }
   }
 }
@@ -143,7 +163,8 @@ bool Renderer::isEdge(int x, int y) const {
          (y > 0 && seen_[at(x, y - 1)] != self) || (y + 1 < height_ && seen_[at(x, y + 1)] != self);
 }
 
-float Renderer::supersample(int x, int y) const {
+template <class Value>
+Value Renderer::supersample(int x, int y) const {
   const int left = std::max(x - 1, 0), right = std::min(x + 1, width_ - 1);
   const int above = std::max(y - 1, 0), below = std::min(y + 1, height_ - 1);
   const Vec3f along_x =
@@ -151,13 +172,14 @@ float Renderer::supersample(int x, int y) const {
   const Vec3f along_y =
       (bearings_[at(x, below)] - bearings_[at(x, above)]) / static_cast<float>(below - above);
   const Eigen::Matrix3f& R_world_cam = viewOfRow(y).R_world_cam;
-  float sum = 0.0F;
+  Value sum = black<Value>();
   for (int j = 0; j < kSubsamples; ++j) {
     for (int i = 0; i < kSubsamples; ++i) {
       const float sx = (static_cast<float>(i) + 0.5F) / kSubsamples - 0.5F;
       const float sy = (static_cast<float>(j) + 0.5F) / kSubsamples - 0.5F;
       const Vec3f d_world = R_world_cam * (bearings_[at(x, y)] + sx * along_x + sy * along_y);
-      sum += caster_.shade(caster_.trace(d_world), d_world, pixel_angles_[at(x, y)] / kSubsamples);
+      const Hit hit = caster_.trace(d_world);
+      sum += caster_.shade<Value>(hit, d_world, pixel_angles_[at(x, y)] / kSubsamples);
     }
   }
   return sum / (kSubsamples * kSubsamples);

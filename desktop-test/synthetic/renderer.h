@@ -16,7 +16,8 @@ namespace glide::synthetic {
 
 /// What a perfect camera sees.
 struct Rendering {
-  ImageF radiance;  ///< grey levels before exposure
+  ImageF radiance;  ///< grey levels before exposure; of colours their luma
+  ImageRgb color;   ///< empty when the scene is gray
   /// Metres along the unit bearing of the pixel's centre, p_cam = range * unproject(uv); 0 where
   /// nothing is seen.
   ImageF range;
@@ -58,10 +59,15 @@ class Renderer {
     return views_[views_.size() == 1 ? 0 : static_cast<std::size_t>(y)];
   }
   void selectSurfaces(const Tile& tile);
-  void renderTile(const Tile& tile, Rendering* out);
-  void smoothTile(const Tile& tile, Rendering* out);
+  template <class Value>
+  void renderTiles(Image<Value>* radiance, ImageF* range);
+  template <class Value>
+  void renderTile(const Tile& tile, Image<Value>* radiance, ImageF* range);
+  template <class Value>
+  void smoothTile(const Tile& tile, Image<Value>* radiance);
   bool isEdge(int x, int y) const;
-  float supersample(int x, int y) const;
+  template <class Value>
+  Value supersample(int x, int y) const;
   std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * width_ + x); }
 
   int width_, height_;

@@ -18,6 +18,8 @@ enum class SceneKind {
   corridor,  ///< corridor around a block of rooms, 60 to 200 m once around
   hall,      ///< store with shelves, 60 to 200 m once around along its walls
   arcade,    ///< street front of 30 to 60 m whose bays are alike; odd seeds repeat the masonry, too
+  living_room,  ///< 5 m room in colour with daylight and lamps; to be walked around
+                ///< (MotionKind::orbit)
 };
 
 /// A rectangle in the world (x right, y down, z forward, metres), visible from the side of its
@@ -32,6 +34,7 @@ struct Surface {
   float texels_per_m = 1.0F;
   int pattern = kUnique;  ///< surfaces of the same size, material and pattern are painted alike
   Texture texture;        ///< radiance, lit
+  bool is_round = false;  ///< only the ellipse that fills the rectangle is there
 
   static constexpr int kUnique = -1;
 };
@@ -42,6 +45,7 @@ struct Viewpoint {
   double depth = 1.5;  ///< typical distance of what is seen, metres; scales the motions
   Vec3d orbit_center = Vec3d::Zero();            ///< what the orbit motion turns around
   double orbit_radius = 1.0, orbit_arc = 6.283;  ///< metres, radians
+  double orbit_rise = 0.35;                      ///< height over the centre, share of the radius
   Way way = {};  ///< what the walk motion follows; empty where there is none
 };
 
@@ -49,6 +53,7 @@ struct Viewpoint {
 struct Scene {
   std::vector<Surface> surfaces;
   Viewpoint viewpoint;
+  bool has_color = false;  ///< all textures are in colour; else all are gray
 };
 
 /// The same kind and seed make the same scene, bit for bit.

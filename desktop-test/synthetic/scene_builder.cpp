@@ -156,6 +156,8 @@ Scene makeScene(SceneKind kind, std::uint64_t seed) {
       return makeHall(seed);
     case SceneKind::arcade:
       return makeArcade(seed);
+    case SceneKind::living_room:
+      return makeLivingRoom(seed);
   }
   return {};
 }

@@ -45,5 +45,6 @@ Scene makeDesk(std::uint64_t seed);
 Scene makeCorridor(std::uint64_t seed);
 Scene makeHall(std::uint64_t seed);
 Scene makeArcade(std::uint64_t seed);
+Scene makeLivingRoom(std::uint64_t seed);
 
 }  // namespace glide::synthetic

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "synthetic/texture.h"
+
 #include "image/image.h"
 
 #include <cstdint>
@@ -15,6 +17,7 @@ struct Sensor {
          gain_end = 1.0;  ///< exposure gain, changes geometrically from first to last frame
   double bias_begin = 0.0, bias_end = 0.0;  ///< grey levels added, changes linearly
   double flicker = 0.0;                     ///< each frame's gain varies by up to this share
+  double metering = 0.0;  ///< exponent by which the gain follows darker views, 0 = fixed, 1 = fully
   double readout_s = 0.0;  ///< seconds from the first to the last row: rolling shutter, 0 = global
 };
 
@@ -26,8 +29,18 @@ struct Exposure {
 /// `share` runs from 0 at the first frame to 1 at the last.
 Exposure exposureAt(const Sensor& sensor, double share, std::uint64_t frame_seed);
 
+/// Gain that brings an image of this mean radiance (grey levels) near to the middle of the range,
+/// as a camera that meters its exposure does; 1 when the sensor does not.
+double meteredGain(const Sensor& sensor, double mean_radiance);
+
 /// gain * radiance + bias + noise, rounded and clipped to 0..255.
 void develop(const ImageF& radiance,
+             const Exposure& exposure,
+             double noise,
+             std::uint64_t frame_seed,
+             ImageU8* out);
+/// The same for each colour. Red, green, blue side by side: three times as wide.
+void develop(const ImageRgb& radiance,
              const Exposure& exposure,
              double noise,
              std::uint64_t frame_seed,

@@ -26,6 +26,8 @@ Status checkOptions(const SequenceOptions& options) {
   if (!(sensor.noise >= 0.0)) return invalid("noise: must not be negative");
   if (!(sensor.gain_begin > 0.0 && sensor.gain_end > 0.0))
     return invalid("gain: must be greater than 0");
+  if (!(sensor.metering >= 0.0 && sensor.metering <= 1.0))
+    return invalid("metering: must be between 0 and 1");
   if (sensor.shutter_samples < 1) return invalid("shutter samples: must be at least 1");
   const double frame_s = 1.0 / options.fps;
   if (!(sensor.shutter_s >= 0.0 && sensor.shutter_s <= frame_s)) {
@@ -56,18 +58,38 @@ SequenceOptions foreignOptions(const SequenceOptions& options) {
   return foreign;
 }
 
-void average(const ImageF& image, int samples, ImageF* sum) {
+template <class Value>
+void average(const Image<Value>& image, int samples, Image<Value>* sum) {
   const float weight = 1.0F / static_cast<float>(samples);
   for (int y = 0; y < image.height(); ++y) {
-    const float* in = image.row(y);
-    float* out = sum->row(y);
+    const Value* in = image.row(y);
+    Value* out = sum->row(y);
     for (int x = 0; x < image.width(); ++x) out[x] += weight * in[x];
   }
 }
 
-void clear(int width, int height, ImageF* image) {
-  image->resize(width, height);
-  for (int y = 0; y < height; ++y) std::fill_n(image->row(y), width, 0.0F);
+template <class Value>
+void clear(const CameraModel& camera, Image<Value>* image) {
+  image->resize(camera.width(), camera.height());
+  for (int y = 0; y < camera.height(); ++y)
+    std::fill_n(image->row(y), camera.width(), black<Value>());
+}
+
+/// Gray pixels as colours.
+void spread(const ImageU8& gray, ImageU8* color) {
+  color->resize(3 * gray.width(), gray.height());
+  for (int y = 0; y < gray.height(); ++y) {
+    for (int x = 0; x < gray.width(); ++x) std::fill_n(color->row(y) + 3 * x, 3, gray.row(y)[x]);
+  }
+}
+
+double meanOf(const ImageF& image) {
+  double sum = 0.0;
+  for (int y = 0; y < image.height(); ++y) {
+    const float* row = image.row(y);
+    for (int x = 0; x < image.width(); ++x) sum += static_cast<double>(row[x]);
+  }
+  return sum / (static_cast<double>(image.width()) * image.height());
 }
 
 }  // namespace
@@ -161,22 +183,43 @@ void Sequence::render(int frame, double offset_s) {
 
 void Sequence::expose(int frame) {
   const Sensor& sensor = options_.sensor;
+  clear(camera_, &exposed_);
+  if (scene_->has_color) clear(camera_, &exposed_color_);
+  if (isKidnapped(frame)) return;
   const int samples = sensor.shutter_s > 0.0 ? sensor.shutter_samples : 1;
   for (int k = 0; k < samples; ++k) {
     render(frame, sensor.shutter_s * ((k + 0.5) / samples - 0.5));
     average(rendering_.radiance, samples, &exposed_);
+    if (scene_->has_color) average(rendering_.color, samples, &exposed_color_);
   }
+}
+
+std::uint64_t Sequence::noiseSeed(int frame) const {
+  return mixBits(options_.seed) + static_cast<std::uint64_t>(frame);
+}
+
+Exposure Sequence::exposureOf(int frame) const {
+  const double share =
+      options_.frames > 1 ? static_cast<double>(frame) / (options_.frames - 1) : 0.0;
+  Exposure exposure = exposureAt(options_.sensor, share, noiseSeed(frame));
+  if (options_.sensor.metering > 0.0)
+    exposure.gain *= meteredGain(options_.sensor, meanOf(exposed_));
+  return exposure;
 }
 
 void Sequence::image(int frame, ImageU8* out) {
   if (isKidnapped(frame) && elsewhere_) return elsewhere_->image(frame, out);
-  const Sensor& sensor = options_.sensor;
-  clear(camera_.width(), camera_.height(), &exposed_);
-  if (!isKidnapped(frame)) expose(frame);
-  const double share =
-      options_.frames > 1 ? static_cast<double>(frame) / (options_.frames - 1) : 0.0;
-  const std::uint64_t seed = mixBits(options_.seed) + static_cast<std::uint64_t>(frame);
-  develop(exposed_, exposureAt(sensor, share, seed), sensor.noise, seed, out);
+  expose(frame);
+  develop(exposed_, exposureOf(frame), options_.sensor.noise, noiseSeed(frame), out);
+}
+
+void Sequence::colorImage(int frame, ImageU8* out) {
+  if (isKidnapped(frame) && elsewhere_) {
+    elsewhere_->image(frame, &gray_);
+    return spread(gray_, out);
+  }
+  expose(frame);
+  develop(exposed_color_, exposureOf(frame), options_.sensor.noise, noiseSeed(frame), out);
 }
 
 const Rendering& Sequence::rendering(int frame) {

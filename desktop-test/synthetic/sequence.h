@@ -56,8 +56,11 @@ class Sequence {
   /// Whether the camera is carried away and sees nothing of the scene.
   bool isKidnapped(int frame) const;
 
-  /// What the camera delivers.
+  /// What the camera delivers, gray.
   void image(int frame, ImageU8* out);
+  /// What a camera delivers in a scene that has colours (scene()->has_color): red, green, blue side
+  /// by side, three bytes a pixel.
+  void colorImage(int frame, ImageU8* out);
   /// The perfect view at timestamp(frame), without blur, exposure and noise.
   const Rendering& rendering(int frame);
 
@@ -71,6 +74,8 @@ class Sequence {
   void render(int frame, double offset_s);
   /// Averages what falls onto the sensor during a frame's exposure into exposed_.
   void expose(int frame);
+  Exposure exposureOf(int frame) const;
+  std::uint64_t noiseSeed(int frame) const;
 
   SequenceOptions options_;
   CameraModel camera_;
@@ -78,6 +83,8 @@ class Sequence {
   Renderer renderer_;
   Rendering rendering_;
   ImageF exposed_;  ///< radiance averaged over the exposure
+  ImageRgb exposed_color_;
+  ImageU8 gray_;  ///< of elsewhere
   Return return_;
   std::unique_ptr<Sequence> elsewhere_;  ///< what is seen while being carried away; null = black
   std::vector<SE3d> row_poses_;

@@ -61,7 +61,7 @@ SE3d orbit(double t, const Viewpoint& viewpoint) {
       is_round ? kTwoPi * t / kPeriod : 0.5 * viewpoint.orbit_arc * wave(t, kPeriod);
   const double radius =
       viewpoint.orbit_radius * (1.0 + 0.05 * wave(t, 33.1));  // no two rounds alike
-  const double height = 0.35 * viewpoint.orbit_radius * (1.0 + 0.15 * wave(t, 7.0));
+  const double height = viewpoint.orbit_rise * viewpoint.orbit_radius * (1.0 + 0.15 * wave(t, 7.0));
   const Vec3d offset(radius * std::sin(angle), -height, -radius * std::cos(angle));
   return lookAt(viewpoint.orbit_center + offset, viewpoint.orbit_center);
 }

@@ -1,5 +1,6 @@
 #include "synthetic/dataset_writer.h"
 
+#include "unit/synthetic/small_color_scene.h"
 #include "unit/synthetic/small_scene.h"
 
 #include <gmock/gmock.h>
@@ -44,8 +45,9 @@ class WriteDataset : public testing::Test {
 TEST_F(WriteDataset, InTumLayoutListsImagesAndCameraPoses) {
   Sequence sequence = makeSequence();
   int progress = 0;
-  ASSERT_TRUE(
-      writeDataset(&sequence, Layout::tum, folder_, [&](int done) { progress = done; }).ok());
+  ASSERT_TRUE(writeDataset(&sequence, {Layout::tum, false}, folder_, [&](int done) {
+                progress = done;
+              }).ok());
   EXPECT_EQ(progress, 3);
   EXPECT_EQ(lines(text("rgb.txt")), 4);
   EXPECT_THAT(text("rgb.txt"), HasSubstr("\n1000.033333 rgb/1000.033333.png\n"));
@@ -61,7 +63,7 @@ TEST_F(WriteDataset, InTumLayoutListsImagesAndCameraPoses) {
 
 TEST_F(WriteDataset, InEurocLayoutTellsTheBodysPoseAndWhereTheCameraSits) {
   Sequence sequence = makeSequence();
-  ASSERT_TRUE(writeDataset(&sequence, Layout::euroc, folder_, [](int) {}).ok());
+  ASSERT_TRUE(writeDataset(&sequence, {Layout::euroc, false}, folder_, [](int) {}).ok());
   EXPECT_THAT(text("mav0/cam0/data.csv"), HasSubstr("\n1000033333333,1000033333333.png\n"));
   EXPECT_TRUE(fs::exists(folder_ / "mav0/cam0/data/1000066666667.png"));
   EXPECT_THAT(text("mav0/cam0/sensor.yaml"), HasSubstr("distortion_model: radial-tangential\n"));
@@ -80,10 +82,19 @@ TEST_F(WriteDataset, InEurocLayoutTellsTheBodysPoseAndWhereTheCameraSits) {
   EXPECT_LT((T_world_body.q * Vec3d::UnitX() - forward_cam).norm(), 1e-7);
 }
 
+TEST_F(WriteDataset, WritesColoursWhenAskedTo) {
+  SequenceOptions options = smallSequence(DistortionModel::none);
+  options.frames = 2;
+  Sequence sequence = Sequence::create(options, smallColorScene()).value();
+  ASSERT_TRUE(writeDataset(&sequence, {Layout::tum, true}, folder_, [](int) {}).ok());
+  constexpr std::size_t kColorType = 25;  // where a PNG's header says it; 2 = red, green, blue
+  EXPECT_EQ(text("rgb/1000.000000.png").at(kColorType), 2);
+}
+
 TEST_F(WriteDataset, NamesTheFolderThatCannotBeMade) {
   std::ofstream(folder_) << "a file in the way";
   Sequence sequence = makeSequence();
-  const auto status = writeDataset(&sequence, Layout::tum, folder_, [](int) {});
+  const auto status = writeDataset(&sequence, {Layout::tum, false}, folder_, [](int) {});
   ASSERT_FALSE(status.ok());
   EXPECT_THAT(status.error().message, HasSubstr(folder_.string()));
 }

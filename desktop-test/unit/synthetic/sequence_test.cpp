@@ -62,8 +62,8 @@ TEST(Sequence, MakesTheSameSceneForTheSameSeed) {
   const Scene &a = *first, &b = *second;
   ASSERT_EQ(a.surfaces.size(), b.surfaces.size());
   for (std::size_t i = 0; i < a.surfaces.size(); ++i) {
-    EXPECT_EQ(a.surfaces[i].texture.sample(9.5F, 7.5F, 1.0F),
-              b.surfaces[i].texture.sample(9.5F, 7.5F, 1.0F));
+    EXPECT_EQ(a.surfaces[i].texture.sample<float>(9.5F, 7.5F, 1.0F),
+              b.surfaces[i].texture.sample<float>(9.5F, 7.5F, 1.0F));
   }
 }
 
