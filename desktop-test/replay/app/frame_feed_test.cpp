@@ -67,6 +67,16 @@ TEST_F(FrameFeedTest, RealtimeWaitsUntilAFrameIsDue) {
   EXPECT_FALSE(feed.next().has_value());
 }
 
+TEST_F(FrameFeedTest, RealtimeMovesWhatIsDueByTimeThatIsExcused) {
+  constexpr std::int64_t kHour = 3'600'000'000'000;
+  ListedSource source({0, kHour, 2 * kHour});
+  FrameFeed feed(source, Pace::realtime, interrupt_);
+  EXPECT_TRUE(feed.next().has_value());
+  feed.excuse(-std::chrono::hours(1));  // as if an hour of tracking had passed
+  EXPECT_EQ(feed.next()->index, 1);
+  EXPECT_EQ(feed.dropped(), 0);
+}
+
 TEST_F(FrameFeedTest, RealtimeEndsAtOnceWithoutFrames) {
   ListedSource source({});
   FrameFeed feed(source, Pace::realtime, interrupt_);

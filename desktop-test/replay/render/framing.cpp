@@ -13,9 +13,8 @@ namespace {
 
 constexpr double kViewSlope = 0.7;  // tangent of the half field of view that counts as "before"
 constexpr double kDepthCut = 2.0;   // in median depths: what is farther would only shrink the rest
-constexpr double kShown = 0.7;      // share of the landmarks within the radius; the rest strays
-constexpr double kCameraMargin = 1.1;  // so that cameras do not touch the picture's edge
-constexpr double kFocusShare = 0.65;   // of the way to what it sees: there is more of it
+constexpr double kFocusShare = 0.65;  // of the way to what it sees: there is more of it
+constexpr double kReach = 1.5;        // in distances of the farthest landmark before the camera
 constexpr std::size_t kRecentKeyframes = 20;
 constexpr double kUprightPrior = 0.02;  // of the mean upward axis against the level x axes
 
@@ -71,51 +70,28 @@ std::vector<Vec3d> keyframePositions(const MapView& map, std::size_t newest) {
   return positions;
 }
 
-/// The radius around the focus that holds every camera and most landmarks.
-double radiusOf(const Vec3d& focus,
-                const std::vector<Vec3d>& landmarks,
-                const std::vector<Vec3d>& cameras) {
-  std::vector<double> distances;
-  distances.reserve(landmarks.size());
-  for (const Vec3d& p : landmarks) distances.push_back((p - focus).norm());
-  double radius = quantile(distances, kShown);
-  for (const Vec3d& p : cameras) radius = std::max(radius, kCameraMargin * (p - focus).norm());
-  return radius;
+double largestDistance(const std::vector<Vec3d>& points, const Vec3d& from) {
+  double largest = 0.0;
+  for (const Vec3d& p : points) largest = std::max(largest, (p - from).norm());
+  return largest;
 }
 
 }  // namespace
 
 std::optional<Framing> frameAround(const MapView& map, const SE3d& T_world_cam) {
-  const std::vector<Vec3d> points = pointsBefore(map, T_world_cam);
-  if (points.empty()) return std::nullopt;
   Framing framing;
-  framing.focus = T_world_cam.t + kFocusShare * (medianOf(points) - T_world_cam.t);
-  std::vector<Vec3d> cameras = keyframePositions(map, kRecentKeyframes);
-  cameras.push_back(T_world_cam.t);
+  framing.landmarks = pointsBefore(map, T_world_cam);
+  if (framing.landmarks.empty()) return std::nullopt;
+  framing.focus = T_world_cam.t + kFocusShare * (medianOf(framing.landmarks) - T_world_cam.t);
+  framing.cameras = keyframePositions(map, kRecentKeyframes);
   // A path that leads away must not make the picture ever wider: old parts may leave it.
-  const double reach = 2.0 * radiusOf(framing.focus, points, {T_world_cam.t});
-  cameras.erase(std::remove_if(cameras.begin(),
-                               cameras.end(),
-                               [&](const Vec3d& p) { return (p - framing.focus).norm() > reach; }),
-                cameras.end());
-  framing.radius = radiusOf(framing.focus, points, cameras);
+  const double reach = kReach * largestDistance(framing.landmarks, T_world_cam.t);
+  const auto is_far = [&](const Vec3d& p) { return (p - T_world_cam.t).norm() > reach; };
+  framing.cameras.erase(std::remove_if(framing.cameras.begin(), framing.cameras.end(), is_far),
+                        framing.cameras.end());
+  framing.cameras.push_back(T_world_cam.t);
   framing.up = upOf(map);
   framing.ahead = T_world_cam.q * Vec3d::UnitZ();
-  return framing;
-}
-
-std::optional<Framing> frameAll(const MapView& map) {
-  if (map.landmarks.empty()) return std::nullopt;
-  std::vector<Vec3d> points;
-  points.reserve(map.landmarks.size());
-  for (const MapView::Landmark& landmark : map.landmarks) points.push_back(point(landmark));
-  Framing framing;
-  framing.focus = medianOf(points);
-  framing.radius = radiusOf(framing.focus, points, keyframePositions(map, map.keyframes.size()));
-  framing.up = upOf(map);
-  if (!map.keyframes.empty()) {
-    framing.ahead = toSE3(map.keyframes.back().T_world_cam).q * Vec3d::UnitZ();
-  }
   return framing;
 }
 

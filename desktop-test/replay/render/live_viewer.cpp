@@ -16,27 +16,20 @@ LiveViewer::LiveViewer(const ViewerSetup& setup, SplitView view)
 
 Status LiveViewer::onFrame(const FrameMoment& moment) {
   view_.show(moment);
-  takes_step_ = false;
-  return drawAndWait();
-}
-
-Status LiveViewer::onEnd(const FinishedRun& finished) {
-  if (finished.run.frames.empty() || is_interrupted_()) return Unit{};
-  is_paused_ = true;
-  takes_step_ = false;
-  Status drawn = Unit{};
-  while (drawn && !has_quit_) {  // there is no frame to go on to
-    drawn = drawAndWait();
-    is_paused_ = true;
-    takes_step_ = false;
+  playback_.showFrame();
+  Status drawn = draw();
+  obey(window_.poll());
+  while (drawn && !playback_.mayGoOn() && !is_interrupted_()) {
+    drawn = draw();
+    obey(window_.wait());
   }
   return drawn;
 }
 
-Status LiveViewer::drawAndWait() {
-  Status drawn = draw();
-  obey(window_.poll());
-  while (drawn && is_paused_ && !takes_step_ && !has_quit_ && !is_interrupted_()) {
+Status LiveViewer::onEnd(const FinishedRun& finished) {
+  Status drawn = Unit{};
+  if (finished.run.frames.empty()) return drawn;
+  while (drawn && !playback_.hasQuit() && !is_interrupted_()) {  // no frame is left to go on to
     drawn = draw();
     obey(window_.wait());
   }
@@ -56,22 +49,9 @@ void LiveViewer::obey(const ViewerInput& input) {
   control_.drag(input.drag_x_px, input.drag_y_px);
   control_.zoom(input.zoom_steps);
   for (const ViewerKey key : input.keys) {
-    switch (key) {
-      case ViewerKey::pause:
-        is_paused_ = !is_paused_;
-        break;
-      case ViewerKey::step:
-        is_paused_ = takes_step_ = true;
-        break;
-      case ViewerKey::follow:
-        if (const auto shown = view_.shownFrom(window_.size(), control_)) {
-          control_.toggleFollow(*shown);
-        }
-        break;
-      case ViewerKey::quit:
-        has_quit_ = true;
-        break;
-    }
+    playback_.obey(key);
+    const std::optional<Orbit> shown = view_.shownFrom(control_);
+    if (key == ViewerKey::follow && shown) control_.toggleFollow(*shown);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "replay/outputs/frame_observer.h"
+#include "replay/render/playback.h"
 #include "replay/render/split_view.h"
 #include "replay/render/view_control.h"
 #include "replay/render/viewer_window.h"
@@ -27,11 +28,10 @@ class LiveViewer : public FrameObserver {
 
   Status onFrame(const FrameMoment& moment) override;
   Status onEnd(const FinishedRun& finished) override;
-  bool wantsToStop() const override { return has_quit_; }
+  bool wantsToStop() const override { return playback_.hasQuit(); }
 
  private:
   LiveViewer(const ViewerSetup& setup, SplitView view);
-  Status drawAndWait();
   Status draw();
   void obey(const ViewerInput& input);
 
@@ -39,9 +39,7 @@ class LiveViewer : public FrameObserver {
   std::function<bool()> is_interrupted_;
   SplitView view_;
   ViewControl control_;
-  bool is_paused_ = false;
-  bool takes_step_ = false;  ///< one frame, then it is paused again
-  bool has_quit_ = false;
+  Playback playback_;
 };
 
 }  // namespace glide::replay

@@ -48,8 +48,12 @@ Mat4d perspective(const Lens& lens, double near, double far) {
 
 Vec3d eyeOf(const Orbit& orbit) { return orbit.focus - orbit.distance * lineOfSight(orbit); }
 
-double distanceToSee(double radius, const Lens& lens) {
-  return radius / std::sin(0.5 * lens.field_of_view);
+double distanceToSee(const Vec3d& p_world, const Orbit& orbit, double field_of_view) {
+  const Vec3d forward = lineOfSight(orbit);
+  const Vec3d right = forward.cross(orbit.up).normalized();
+  const Vec3d p = p_world - orbit.focus;
+  const double aside = std::max(std::abs(p.dot(right)), std::abs(p.dot(right.cross(forward))));
+  return aside / std::tan(0.5 * field_of_view) - p.dot(forward);
 }
 
 ViewCamera viewOf(const Orbit& orbit, const Lens& lens) {

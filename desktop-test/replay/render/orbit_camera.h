@@ -26,8 +26,9 @@ struct Lens {
 /// Where the camera stands.
 Vec3d eyeOf(const Orbit& orbit);
 
-/// The distance from which a sphere fills the picture.
-double distanceToSee(double radius, const Lens& lens);
+/// The distance of the orbit from which a point lies on the edge of the square in the middle of the
+/// picture; `orbit.distance` does not matter.
+double distanceToSee(const Vec3d& p_world, const Orbit& orbit, double field_of_view);
 
 /// For the renderer; everything from a hundredth of the orbit's distance to a hundred times it is
 /// seen.

@@ -11,7 +11,7 @@ namespace {
 constexpr int kTruthEvery = 10;          // frames: aligning anew is seen but costs
 constexpr double kFieldOfView = 0.8;     // radians: little distortion at the edges
 constexpr double kFrustumShare = 0.011;  // of the distance from which the scene is seen
-constexpr float kLandmarkPx = 5.0F;
+constexpr float kLandmarkPx = 6.0F;
 
 Lens lensOf(const Viewport& scene) {
   return {kFieldOfView, static_cast<double>(scene.width) / scene.height};
@@ -44,6 +44,7 @@ SplitView::SplitView(const SplitViewSetup& setup, Renderers renderers)
       camera_{setup.camera.width, setup.camera.height},
       timeline_(setup.frames),
       truth_(setup.truth),
+      flight_(kFieldOfView),
       map_(std::make_shared<MapView>()) {
   renderers_.map.setIntrinsics(setup.camera);
 }
@@ -77,11 +78,9 @@ void SplitView::keepPicture(const SourceFrame& frame) {
   if (color_.rgb.empty()) gray_ = frame.image;
 }
 
-std::optional<Orbit> SplitView::shownFrom(const PictureSize& size,
-                                          const ViewControl& control) const {
-  const SplitLayout layout = splitLayout(size, camera_);
-  const std::optional<Orbit> flight = flight_.orbit(lensOf(layout.scene));
-  if (!flight) return flight;
+std::optional<Orbit> SplitView::shownFrom(const ViewControl& control) const {
+  const std::optional<Orbit>& flight = flight_.orbit();
+  if (!flight) return std::nullopt;
   return control.apply(*flight);
 }
 
@@ -90,7 +89,7 @@ Status SplitView::draw(const PictureSize& size, const ViewControl& control) {
   for (const Status& drawn : {drawPicture(layout.picture), drawTimeline(layout.timeline)}) {
     if (!drawn) return drawn;
   }
-  const std::optional<Orbit> flight = flight_.orbit(lensOf(layout.scene));
+  const std::optional<Orbit>& flight = flight_.orbit();
   if (!flight) return Unit{};
   renderers_.map.setStyle(styleOfScene(flight->distance));
   const Status map = renderers_.map.drawMiniMap(layout.mini_map);

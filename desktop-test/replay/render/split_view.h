@@ -40,7 +40,7 @@ class SplitView {
   /// Draws the present state into the framebuffer that is bound, from its lower left corner.
   Status draw(const PictureSize& size, const ViewControl& control);
   /// What draw() shows the scene from; nothing while there is no map to fly around.
-  std::optional<Orbit> shownFrom(const PictureSize& size, const ViewControl& control) const;
+  std::optional<Orbit> shownFrom(const ViewControl& control) const;
 
  private:
   struct Renderers {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "replay/render/playback.h"
 #include "replay/render/split_layout.h"
 
 #include "glide/render_types.h"
@@ -9,8 +10,6 @@
 #include <vector>
 
 namespace glide::replay {
-
-enum class ViewerKey { pause, step, follow, quit };
 
 /// What a person did since the last time one looked.
 struct ViewerInput {

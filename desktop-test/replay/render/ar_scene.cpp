@@ -1,0 +1,77 @@
+#include "replay/render/ar_scene.h"
+
+#include "ar/surfaces.h"
+
+#include "geometry/pose_conversion.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace glide::replay {
+namespace {
+
+constexpr std::size_t kMostCubes = 6;
+constexpr double kEdgeShare = 0.06;  // of the distance of the first place: a tea caddy on a table
+constexpr double kApart = 3.0;       // edges between two cubes
+constexpr double kSteepest = 0.85;   // cosine: what leans more than 30 degrees is no place
+constexpr int kPlanePoints = 6;      // landmarks that a place rests on, at least
+constexpr int kColumns = 9, kRows = 6;  // of pixels that are tried, in the lower half of the image
+constexpr double kMargin = 0.15;        // of the image's width at its sides
+
+/// Where the image is tried, the middle of the lowest row first.
+std::vector<Vec2d> pixelsToTry(const CameraIntrinsics& camera) {
+  std::vector<Vec2d> pixels;
+  for (int row = 0; row < kRows; ++row) {
+    const double v = camera.height * (0.95 - 0.45 * row / kRows);
+    for (int column = 0; column < kColumns; ++column) {
+      const int side = (column + 1) / 2 * (column % 2 == 0 ? 1 : -1);
+      const double share = 0.5 + (1.0 - 2.0 * kMargin) * side / (kColumns - 1);
+      pixels.emplace_back(share * camera.width, v);
+    }
+  }
+  return pixels;
+}
+
+}  // namespace
+
+void ArScene::show(const FrameResult& frame, const MapView& map) {
+  anchors_.follow(map);
+  const bool is_tracked = frame.state == TrackingState::tracking;
+  if (is_tracked && frame.stats.keyframe && ids_.size() < kMostCubes) placeOne(frame, map);
+}
+
+void ArScene::placeOne(const FrameResult& frame, const MapView& map) {
+  const SE3d T_world_cam = fromPose(frame.T_world_cam);
+  const std::vector<VisiblePoint> visible = visiblePoints(map, camera_, T_world_cam.inverse());
+  for (const Vec2d& uv : pixelsToTry(camera_.intrinsics())) {
+    const std::vector<SurfaceHit> hits = hitTest(visible, camera_, uv);
+    if (hits.empty() || hits.front().points < kPlanePoints) continue;
+    const SE3d T_world_hit = T_world_cam * hits.front().T_cam_hit;
+    const Vec3d down = T_world_hit.q * Vec3d::UnitY();
+    if (down.y() < kSteepest || !isFree(T_world_hit.t)) continue;
+    const std::optional<std::uint64_t> id = anchors_.create(T_world_hit, map);
+    if (!id) return;
+    if (ids_.empty()) edge_ = kEdgeShare * hits.front().distance;
+    ids_.push_back(*id);
+    return;
+  }
+}
+
+bool ArScene::isFree(const Vec3d& p_world) const {
+  return std::all_of(ids_.begin(), ids_.end(), [&](std::uint64_t id) {
+    const std::optional<Anchors::State> state = anchors_.state(id);
+    return !state || (state->T_world_anchor.t - p_world).norm() > kApart * edge_;
+  });
+}
+
+std::vector<Pose> ArScene::cubes() const {
+  std::vector<Pose> poses;
+  for (const std::uint64_t id : ids_) {
+    const std::optional<Anchors::State> state = anchors_.state(id);
+    if (state && state->is_tracked) poses.push_back(toPose(state->T_world_anchor));
+  }
+  return poses;
+}
+
+}  // namespace glide::replay
