@@ -4,8 +4,10 @@ set -euo pipefail
 cd "$1"
 fail() { echo "$*"; exit 1; }
 
-for script in glide .ci/run scripts/*.sh desktop-test/house/*.sh desktop-test/house/docs/*.sh; do bash -n "$script"; done
-if command -v shellcheck >/dev/null; then shellcheck -x glide .ci/run scripts/*.sh desktop-test/house/*.sh desktop-test/house/docs/*.sh; fi
+scripts=(glide .ci/run scripts/*.sh desktop-test/house/*.sh desktop-test/house/docs/*.sh desktop-test/java/*.sh
+  desktop-test/android_java/*.sh)
+for script in "${scripts[@]}"; do bash -n "$script"; done
+if command -v shellcheck >/dev/null; then shellcheck -x "${scripts[@]}"; fi
 
 for command in setup build aar test demo bench format tidy; do
   case "$(./glide "$command" --help)" in
