@@ -88,10 +88,11 @@ export function createChart(run, playhead, tooltip, chart) {
   return card(chart.title, { class: "chart" }, el("p", { class: "summary" }, chart.summary), createLegend(chart.legend), image);
 }
 
-/// A line through the frames that have a number, broken where they have none.
+/// A line through the frames that have a number; NaN breaks it, null is passed over.
 export function linePath(values, { x, y }) {
   let path = "", isDown = false;
   values.forEach((value, i) => {
+    if (value === null) return;
     if (Number.isFinite(value)) path += `${isDown ? "L" : "M"}${x(i + 0.5).toFixed(1)} ${y(value).toFixed(1)}`;
     isDown = Number.isFinite(value);
   });

@@ -73,6 +73,8 @@ function inliersChart(run) {
 
 function errorChart(run) {
   const { error } = run.truth;
+  // A truth may be known every few frames only: the line goes on to the next, unless the pose is lost.
+  const line = Array.from(error, (value, i) => (Number.isFinite(value) ? value : run.poses[i] ? null : NaN));
   const known = error.filter(Number.isFinite);
   const rms = Math.sqrt(known.reduce((sum, value) => sum + value * value, 0) / known.length);
   const most = largest(known);
@@ -85,7 +87,7 @@ function errorChart(run) {
     high: Math.max(1e-6, HEADROOM * most * scale),
     draw: (scales) => [
       svg("path", { class: "rms line", d: linePath(error.map(() => rms * scale), scales) }),
-      svg("path", { class: "error line", d: linePath(error.map((value) => value * scale), scales) }),
+      svg("path", { class: "error line", d: linePath(line.map((value) => (value === null ? null : value * scale)), scales) }),
     ],
     values: (frame) => [Number.isFinite(error[frame]) ? metres(error[frame]) : "No truth or no pose"],
   };

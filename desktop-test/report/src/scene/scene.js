@@ -9,15 +9,15 @@ import { createEye } from "./orbit.js";
 import { measureWorld } from "./world.js";
 
 const MAX_PIXEL_RATIO = 2;
-const KEYFRAME_DEPTH = 0.07; // of the path's radius, within
-const KEYFRAME_LIMITS = [0.014, 0.04]; // of the scene's
+const KEYFRAME_DEPTH = 0.45; // of the step between keyframes, within
+const KEYFRAME_LIMITS = [0.012, 0.03]; // of the scene's radius
 const CAMERA_DEPTH = 0.12; // of the scene's
 const PICK_PX = 18;
 
-/// How deep keyframes are drawn: on a short path they must not hide it, nor be too small to see.
-function keyframeDepth({ radius, pathRadius }) {
+/// How deep keyframes are drawn: side by side they must not hide the path, nor be too small to see.
+function keyframeDepth({ radius, step }) {
   const [least, most] = KEYFRAME_LIMITS.map((share) => share * radius);
-  return Math.min(most, Math.max(least, KEYFRAME_DEPTH * pathRadius));
+  return Math.min(most, Math.max(least, KEYFRAME_DEPTH * step));
 }
 
 export function hasWebGl() {

@@ -26,7 +26,14 @@ function uprightRotation(poses) {
   return new Quaternion().setFromUnitVectors(up.normalize(), UP);
 }
 
-/// Of the upright map: rotation, what is to be seen at first (extent, center, radius, floor), radius of the path,
+/// Half of the keyframes are nearer than this to the one before.
+function medianStep(keyframes) {
+  const steps = keyframes.slice(1).map(({ position }, k) =>
+    Math.hypot(...position.map((x, axis) => x - keyframes[k].position[axis])));
+  return steps.sort((a, b) => a - b)[Math.floor(steps.length / 2)] ?? Infinity;
+}
+
+/// Of the upright map: rotation, what is to be seen at first (extent, center, radius, floor), step between keyframes,
 /// forward (where the cameras look).
 export function measureWorld(run) {
   const placed = run.poses.filter(Boolean);
@@ -47,7 +54,7 @@ export function measureWorld(run) {
     extent,
     center: box.getCenter(new Vector3()),
     radius: halfDiagonal(box),
-    pathRadius: path.length > 0 ? halfDiagonal(new Box3().setFromPoints(path)) : 1e-3,
+    step: medianStep(run.keyframes),
     floor: box.min.y,
     heights: { low: box.min.y, high: box.max.y },
     forward: forward.normalize(),
