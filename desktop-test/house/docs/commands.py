@@ -23,7 +23,7 @@ SHELL = ("sh", "bash", "console")
 # A block without a language that holds such a line is meant for the shell.
 COMMAND_LINE = re.compile(r"\s*(\$ )?(\./glide |(scripts|desktop-test)/\S+\.(sh|py)|cmake -|([A-Z]+=\"?)?build/\S+/|ctest |gradle )")
 # In running text `--option` is one of ./glide, but on these pages.
-OTHER_PROGRAMS = ("docs/android.md", "docs/benchmarks.md")
+OTHER_PROGRAMS = ("docs/android.md", "docs/benchmarks.md", "docs/exports.md")
 # How long one block may run before it is given up, in seconds.
 TIMEOUT = 120
 
