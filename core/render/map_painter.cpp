@@ -13,7 +13,7 @@ constexpr float kEdgeAlpha = 0.85F, kFrameEdgeAlpha = 0.3F;
 // Against a keyframe's frustum: every frame's, and the current camera's (map_renderer.h).
 constexpr float kFrameSize = 0.4F, kCameraSize = 2.0F;
 /// The current camera of a plan is a mark, whatever the scale: its frustum's depth.
-constexpr float kCameraInPlan_px = 14.0F;
+constexpr float kCameraInPlanPx = 14.0F;
 /// Landmarks of a plan are the ground that the way is drawn on.
 constexpr float kLandmarkInPlan = 0.6F;
 
@@ -127,7 +127,7 @@ void MapPainter::paintCurrentCamera(const MapScene& scene, const Look& look) {
   frustum.line_px = kCameraWidth * style.line_px;
   frustum.plane_alpha = kCameraPlaneAlpha;
   frustum.size = kCameraSize * style.frustum_size;
-  if (look.content == MapContent::plan) frustum.size = kCameraInPlan_px * unitsPerPixel(look.view);
+  if (look.content == MapContent::plan) frustum.size = kCameraInPlanPx * unitsPerPixel(look.view);
   frustum.first = glCount(scene.frames().size() - 1);
   glDisable(GL_DEPTH_TEST);  // seen through everything
   drawFrusta(frames_, 1, frustum);
