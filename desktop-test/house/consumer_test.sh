@@ -21,7 +21,7 @@ read -r -a camera <<<"$("$write_walk" "$folder/images" 30)"
 "$folder/build/track_folder" "${camera[@]}" "$folder"/images/*.pgm | tail -n 1 | grep -q '0029.pgm'
 # The library exports its public API and nothing else.
 library="$(find "$folder/prefix" -name libglide.so)"
-if nm -DC --defined-only "$library" | grep -v -e ' T glide_' -e ' T glide::\(Session::[^I]\|validate(\|setField(\|applySetting(\)' \
+if nm -DC --defined-only "$library" | grep -v -e ' T glide_' -e ' T glide::\(\(Session\|MapRenderer\|CameraRenderer\|RenderTarget\)::[^I]\|validate(\|setField(\|applySetting(\)' \
   -e ' A '; then
   echo "libglide.so exports the above, which is not its public API"
   exit 1
