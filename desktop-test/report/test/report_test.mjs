@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { findChromium, openPage, startChromium } from "./chromium.mjs";
-import { golden } from "./golden.mjs";
+import { compareWithGolden, golden } from "./golden.mjs";
 import { foreignElements, lowContrasts, namelessControls, overflow } from "./page_checks.mjs";
 
 const samples = process.env.GLIDE_REPORT_SAMPLES;
@@ -16,8 +16,12 @@ const DESKTOP = { width: 1280, height: 800 }, PHONE = { width: 390, height: 844 
 const NAMES = ["tour", "without_map", "given_up", "without_frames"];
 const FRAME = 195; // of the tour: in a stretch of indirect frames
 let browser;
+let shared; // the tour at the desktop's size, for tests that need no fresh page
 
-before(async () => { browser = await startChromium(findChromium()); });
+before(async () => {
+  browser = await startChromium(findChromium());
+  shared = await open("tour", DESKTOP);
+});
 after(() => browser.stop());
 
 async function open(name, options) {
@@ -71,10 +75,9 @@ test("every sample opens without a complaint, legible, named and no wider than t
 });
 
 test("names from outside stay text", async () => {
-  const page = await open("tour", DESKTOP);
+  const page = shared;
   assert.equal(await textOf(page, "h1"), '</script><script>alert("tour")</script>');
   assert.deepEqual(await ask(page, foreignElements), { alerts: 0, bold: 0, scripts: 2 });
-  await finish(page);
 });
 
 test("looks as it did when it was looked at", async () => {
@@ -85,6 +88,17 @@ test("looks as it did when it was looked at", async () => {
     if (!options.dark) await looksAsGolden(page, `report_charts_${suffix}`, await boxOf(page, ".charts"));
     await finish(page);
   }
+});
+
+test("a screenshot without the trajectory, or of another frame, is told from the golden", async () => {
+  const page = shared;
+  await seek(page, FRAME);
+  await page.evaluate("glideReport.scene.setVisible('trajectory', false)");
+  const apart = { ...folders, diffs: join(folders.diffs, "report_must_differ") };
+  assert.match(await compareWithGolden(page, "report_1280", await page.screenshot(), apart), /differ/);
+  await page.evaluate("glideReport.scene.setVisible('trajectory', true)");
+  await seek(page, FRAME - 60);
+  assert.match(await compareWithGolden(page, "report_1280", await page.screenshot(), apart), /differ/);
 });
 
 test("the slider moves the camera in the scene, the picture and the readout", async () => {
@@ -132,7 +146,7 @@ test("keys go through the strip, the keyframes and around the map", async () => 
 });
 
 test("pointing at a keyframe shows its picture", async () => {
-  const page = await open("tour", DESKTOP);
+  const page = shared;
   await page.evaluate("scrollTo(0, 0)");
   const [x, y] = await page.evaluate(`(() => {
     const { left, top, width, height } = document.querySelector("canvas").getBoundingClientRect();
@@ -144,12 +158,11 @@ test("pointing at a keyframe shows its picture", async () => {
   await page.settle();
   assert.match(await textOf(page, ".tooltip"), /^Keyframe \d+, frame \d+$/);
   assert.ok(await page.evaluate("document.querySelector('.tooltip img').naturalWidth") > 100);
-  await finish(page);
 });
 
 test("playing goes on by the timestamps and ends at the last frame", async () => {
-  const page = await open("tour", DESKTOP);
-  const last = await frameOf(page);
+  const page = shared;
+  const last = await page.evaluate("glideReport.run.frames.count - 1");
   await seek(page, last - 6);
   await page.evaluate("document.querySelector('.play').click()");
   const ended = await page.evaluate(`(async () => {
@@ -160,12 +173,11 @@ test("playing goes on by the timestamps and ends at the last frame", async () =>
   })()`);
   assert.deepEqual([ended.frame, ended.playing], [last, false]);
   assert.ok(ended.ms > 200, `six frames of 50 ms took ${ended.ms} ms`);
-  await finish(page);
 });
 
 test("the downloads are the files", async () => {
   const folder = mkdtempSync(join(tmpdir(), "glide-downloads-"));
-  const page = await open("tour", DESKTOP);
+  const page = shared;
   await browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder, eventsEnabled: true });
   for (const [button, name, original] of [[1, "trajectory.tum", "tour.tum"], [2, "map.ply", "tour.ply"], [3, "stats.json", null]]) {
     const done = new Promise((resolve) => browser.listen(({ method, params }) => {
@@ -178,7 +190,6 @@ test("the downloads are the files", async () => {
     else assert.equal(JSON.parse(bytes).frames.dropped, 6);
   }
   rmSync(folder, { recursive: true });
-  await finish(page);
 });
 
 test("a run without a map says why, one without frames that there are none", async () => {
@@ -207,11 +218,13 @@ test("without WebGL the page says so and shows the rest", async () => {
 });
 
 test("the colours change with the system's", async () => {
-  const page = await open("tour", DESKTOP);
+  const page = shared;
   const stage = await boxOf(page, ".stage");
   const light = await page.screenshot(stage);
   await page.setDark(true);
   const dark = await page.screenshot(stage);
+  await page.setDark(false);
   assert.notDeepEqual(light, dark);
-  await finish(page);
 });
+
+test("nothing of this made the shared page complain", () => finish(shared));
