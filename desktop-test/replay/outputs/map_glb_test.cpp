@@ -57,9 +57,9 @@ struct Glb {
 
   /// An accessor's values, component by component.
   template <class T>
-  std::vector<T> values(int accessor_index) const {
+  std::vector<T> values(std::size_t accessor_index) const {
     const Json& accessor = json["accessors"][accessor_index];
-    const Json& view = json["bufferViews"][accessor["bufferView"].get<int>()];
+    const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
     const std::size_t width = accessor["type"] == "SCALAR" ? 1U
                               : accessor["type"] == "VEC3" ? 3
                                                            : 4;
@@ -117,7 +117,8 @@ TEST_F(MapGlbTest, HoldsTheLandmarksAsPointsInTheirColours) {
   ASSERT_THAT(points, SizeIs(1));
   EXPECT_EQ(points[0]["mode"], 0);
   EXPECT_THAT(file.positions(points[0]), ElementsAre(1, -2, 5, 2, -4, 5, 3, -6, 5));
-  const Json& accessor = file.json["accessors"][points[0]["attributes"]["POSITION"].get<int>()];
+  const Json& accessor =
+      file.json["accessors"][points[0]["attributes"]["POSITION"].get<std::size_t>()];
   EXPECT_EQ(accessor["min"], Json({1.0, -6.0, 5.0}));
   EXPECT_EQ(accessor["max"], Json({3.0, -2.0, 5.0}));
   const std::vector<std::uint16_t> colors = file.colors(points[0]);
@@ -157,11 +158,11 @@ TEST_F(MapGlbTest, ShowsTheKeyframesAsFrusta) {
 TEST_F(MapGlbTest, StandsUprightInAViewer) {
   const Json json = glb().json;
   EXPECT_EQ(json["asset"]["version"], "2.0");
-  EXPECT_EQ(json["scenes"][0]["nodes"], Json({0}));
+  EXPECT_EQ(json["scenes"][0]["nodes"], Json::array({0}));
   const Json& root = json["nodes"][0];
   EXPECT_EQ(root["rotation"], Json({1.0, 0.0, 0.0, 0.0}));  // y down becomes y up
   EXPECT_EQ(root["children"], Json({1, 2, 3}));
-  for (int i = 1; i <= 3; ++i) EXPECT_EQ(json["nodes"][i]["mesh"], i - 1);
+  for (std::size_t i = 1; i <= 3; ++i) EXPECT_EQ(json["nodes"][i]["mesh"], i - 1);
 }
 
 TEST(MapGlb, OfARunWithoutAMapIsAnEmptyScene) {
