@@ -4,8 +4,8 @@ precision highp float;
 
 #include "render_map_view.glsl"
 layout(location = 3) uniform float largest_px;  // diameter of a landmark with many observations
-layout(location = 4) uniform vec2 heights;      // coloured by height: the lowest and the highest
-layout(location = 5) uniform float count;       // coloured by age: of all landmarks; 0: by height
+layout(location = 4) uniform float count;       // coloured by age: of all landmarks; 0: by height
+layout(location = 5) uniform float heights[5];  // coloured by height: of each colour, ascending
 
 layout(location = 0) in vec4 landmark;  // position in the world, observations
 flat out vec4 point_color;
@@ -18,6 +18,7 @@ const vec3 kOld = vec3(0.55, 0.56, 0.58);
 const vec3 kNew = vec3(0.05, 0.62, 0.30);
 // From low to high; readable on white and on black.
 const int kSteps = 4;
+const float kLeastSpan = 1e-6;  // of heights that are all alike
 const vec3 kHeightColors[kSteps + 1] = vec3[](vec3(0.24, 0.42, 0.88),
                                               vec3(0.09, 0.63, 0.74),
                                               vec3(0.33, 0.70, 0.30),
@@ -25,9 +26,12 @@ const vec3 kHeightColors[kSteps + 1] = vec3[](vec3(0.24, 0.42, 0.88),
                                               vec3(0.84, 0.22, 0.16));
 
 vec3 colorOfHeight(float height) {
-  float at = clamp((height - heights.x) / (heights.y - heights.x), 0.0, 1.0) * float(kSteps);
-  int step_below = min(int(at), kSteps - 1);
-  return mix(kHeightColors[step_below], kHeightColors[step_below + 1], at - float(step_below));
+  vec3 color = kHeightColors[0];
+  for (int i = 0; i < kSteps; ++i) {
+    float span = max(heights[i + 1] - heights[i], kLeastSpan);
+    color = mix(color, kHeightColors[i + 1], clamp((height - heights[i]) / span, 0.0, 1.0));
+  }
+  return color;
 }
 
 void main() {

@@ -80,8 +80,7 @@ void MapPainter::paintLandmarks(const MapScene& scene, const Look& look) {
   MapPrograms::Points points;
   points.largest_px = style.landmark_px;
   if (look.content == MapContent::plan) points.largest_px *= kLandmarkInPlan;
-  points.low = scene.bounds().low;
-  points.high = scene.bounds().high;
+  points.heights = scene.bounds().heights;
   points.by_age = style.coloring == LandmarkColoring::recency;
   programs_.drawPoints(landmarks_.get(), glCount(scene.landmarks().size()), points);
   ++draw_calls_;

@@ -15,7 +15,7 @@ namespace {
 // Locations of uniforms: render_map_view.glsl ...
 constexpr GLint kEyeFromWorld = 0, kClipFromEye = 1, kCue = 2;
 // ... render_map_points.vert ...
-constexpr GLint kLargestPx = 3, kHeights = 4, kCount = 5;
+constexpr GLint kLargestPx = 3, kCount = 4, kHeights = 5;
 // ... render_map_stroke.glsl, render_map_frusta.vert ...
 constexpr GLint kViewportPx = 3, kStroke = 4, kImagePlane = 5, kLook = 6;
 // ... render_map_panel.frag.
@@ -95,7 +95,7 @@ void MapPrograms::drawPanel(const Color& color) const {
 void MapPrograms::drawPoints(GLuint landmarks, GLsizei count, const Points& look) const {
   use(points_);
   glUniform1f(kLargestPx, look.largest_px);
-  glUniform2f(kHeights, look.low, look.high);
+  glUniform1fv(kHeights, static_cast<GLsizei>(look.heights.size()), look.heights.data());
   glUniform1f(kCount, look.by_age ? static_cast<float>(count) : 0.0F);
   feed({0, 4, GL_FLOAT, 0}, 0);
   glVertexBindingDivisor(0, kEachVertex);

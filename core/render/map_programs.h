@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/map_view_point.h"
+#include "render/scene_bounds.h"
 #include "render/scene_records.h"
 
 #include "gpu/gl_objects.h"
@@ -9,6 +10,8 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+
+#include <array>
 
 namespace glide {
 
@@ -30,8 +33,8 @@ class MapPrograms {
 
   struct Points {
     float largest_px = 1.0F;
-    float low = -1.0F, high = 1.0F;  ///< heights of the first and the last colour
-    bool by_age = false;             ///< colours tell age, not height
+    std::array<float, kHeightSteps + 1> heights{};  ///< of the colours, ascending
+    bool by_age = false;                            ///< colours tell age, not height
   };
   void drawPoints(GLuint landmarks, GLsizei count, const Points& look) const;
 

@@ -25,13 +25,28 @@ float quantile(std::vector<float>* values, double share) {
   return (*values)[static_cast<std::size_t>(rank)];
 }
 
-/// Of one coordinate of the landmarks, without the outliers.
-Range landmarkRange(std::span<const LandmarkRecord> landmarks, std::size_t axis) {
+/// One coordinate of the landmarks, or of as many as tell its range.
+std::vector<float> coordinates(std::span<const LandmarkRecord> landmarks, std::size_t axis) {
   const std::size_t stride = (landmarks.size() + kMaxSample - 1) / kMaxSample;
   std::vector<float> values;
   for (std::size_t i = 0; i < landmarks.size(); i += stride)
     values.push_back(landmarks[i].p_world[axis]);
-  return {quantile(&values, kLowShare), quantile(&values, kHighShare)};
+  return values;
+}
+
+/// Of these, without the outliers.
+Range rangeOf(std::vector<float>* values) {
+  return {quantile(values, kLowShare), quantile(values, kHighShare)};
+}
+
+/// SceneBounds::heights from the y of landmarks, which points down.
+std::array<float, kHeightSteps + 1> heightsOf(std::vector<float>* downs) {
+  std::array<float, kHeightSteps + 1> heights{};
+  for (std::size_t i = 0; i <= kHeightSteps; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(kHeightSteps);
+    heights[i] = -quantile(downs, kHighShare - part * (kHighShare - kLowShare));
+  }
+  return heights;
 }
 
 Range unite(const Range& range, std::span<const PoseRecord> cameras, std::size_t axis) {
@@ -53,14 +68,13 @@ SceneBounds boundsOf(std::span<const LandmarkRecord> landmarks,
   float squared_radius = 0.0F;
   for (std::size_t axis = 0; axis < bounds.center.size(); ++axis) {
     const float first = cameras.empty() ? 0.0F : cameras.front().p_world[axis];
-    const Range inner = landmarks.empty() ? Range{first, first} : landmarkRange(landmarks, axis);
+    Range inner{first, first};
     if (!landmarks.empty()) {
+      std::vector<float> values = coordinates(landmarks, axis);
+      inner = rangeOf(&values);
       bounds.landmarks_low[axis] = inner.low;
       bounds.landmarks_high[axis] = inner.high;
-    }
-    if (axis == kDown && inner.low < inner.high) {
-      bounds.low = -inner.high;
-      bounds.high = -inner.low;
+      if (axis == kDown) bounds.heights = heightsOf(&values);
     }
     const Range all = unite(inner, cameras, axis);
     bounds.center[axis] = 0.5F * (all.low + all.high);
