@@ -136,6 +136,14 @@ void addOutputs(CLI::App& app, Raw& raw) {
                  "numbered PNGs: the camera's view and the map in 3-D")
       ->check(plain(CLI::Validator(renderProblem, "")))
       ->type_name("FILE|DIR");
+  const std::map<std::string, RenderView> views = {
+      {"split", RenderView::split}, {"map", RenderView::map}, {"ar", RenderView::ar}};
+  app.add_option("--render-view",
+                 options.render_view,
+                 "split (default), map: the map alone, or ar: the camera's\n"
+                 "picture with cubes that stand in the scene")
+      ->transform(plain(CLI::CheckedTransformer(views)))
+      ->type_name("split|map|ar");
   app.add_flag("--viewer",
                options.viewer,
                "show the same in a window: space pauses, . steps, f follows or\n"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "replay/outputs/render_view.h"
 #include "replay/outputs/run_record.h"
 #include "replay/readers/frame_source.h"
 
@@ -36,6 +37,7 @@ struct Options {
   std::optional<std::filesystem::path> map_in;   ///< loaded before the first frame
   std::optional<std::filesystem::path> map_out;  ///< written at the end
   std::optional<std::filesystem::path> render;   ///< video file or folder of pictures
+  RenderView render_view = RenderView::split;    ///< of the pictures and the window
   bool viewer = false;                           ///< show it in a window
   std::vector<std::string> settings;             ///< key=value, the named shortcuts first, in order
 };

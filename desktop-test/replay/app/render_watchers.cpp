@@ -18,6 +18,7 @@ SplitViewSetup viewSetup(const Job& job) {
   SplitViewSetup setup;
   setup.camera = job.config.camera;
   setup.frames = job.source.frames->info().frames;
+  setup.view = job.options.render_view;
   if (job.truth) {
     setup.truth = truthInFrame(*job.truth, RigFrame::camera, job.calibration.T_body_cam);
   }

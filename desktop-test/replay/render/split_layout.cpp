@@ -11,9 +11,20 @@ constexpr double kPictureShare = 0.64;  // of the height at most, so that a mini
 constexpr int kMargin = 8;              // px
 constexpr int kTimelineHeight = 14;     // px
 
+constexpr PictureSize kHd{1280, 720};
+constexpr int kArWidth = 960;         // px, of the AR view's video
+constexpr double kInsetShare = 0.26;  // of the AR view's width
+
 int rounded(double value) { return static_cast<int>(std::lround(value)); }
 
-}  // namespace
+/// The camera's picture alone, with the map from above in its lower right corner.
+SplitLayout arLayout(const PictureSize& size) {
+  SplitLayout layout;
+  layout.picture = {0, 0, size.width, size.height};
+  const int inset = rounded(kInsetShare * size.width);
+  layout.mini_map = {size.width - inset - kMargin, kMargin, inset, inset * 3 / 4};
+  return layout;
+}
 
 SplitLayout splitLayout(const PictureSize& size, const PictureSize& camera) {
   SplitLayout layout;
@@ -28,6 +39,21 @@ SplitLayout splitLayout(const PictureSize& size, const PictureSize& camera) {
   const int scene_x = left_width + 2 * kMargin;
   layout.scene = {scene_x, bottom, size.width - scene_x - kMargin, height};
   return layout;
+}
+
+}  // namespace
+
+SplitLayout layoutOf(RenderView view, const PictureSize& size, const PictureSize& camera) {
+  if (view == RenderView::split) return splitLayout(size, camera);
+  if (view == RenderView::ar) return arLayout(size);
+  SplitLayout layout;
+  layout.scene = {0, 0, size.width, size.height};
+  return layout;
+}
+
+PictureSize videoSize(RenderView view, const PictureSize& camera) {
+  if (view != RenderView::ar) return kHd;
+  return {kArWidth, rounded(0.5 * kArWidth * camera.height / camera.width) * 2};
 }
 
 }  // namespace glide::replay

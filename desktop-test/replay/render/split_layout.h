@@ -1,5 +1,7 @@
 #pragma once
 
+#include "replay/outputs/render_view.h"
+
 #include "glide/render_types.h"
 
 namespace glide::replay {
@@ -15,8 +17,14 @@ struct PictureSize {
   int width = 0, height = 0;
 };
 
+inline bool isEmpty(const Viewport& part) { return part.width <= 0 || part.height <= 0; }
+
 /// The layout for a picture of this size that shows a camera of that size; no part overlaps another
-/// one. Parts get empty (a side of zero or less) when the picture is too small for them.
-SplitLayout splitLayout(const PictureSize& size, const PictureSize& camera);
+/// one, but for the mini-map, an inset of the picture with RenderView::ar. Parts are empty when the
+/// view has none, or the picture is too small for them.
+SplitLayout layoutOf(RenderView view, const PictureSize& size, const PictureSize& camera);
+
+/// The size of the pictures of a video: sides are even, what encoders want.
+PictureSize videoSize(RenderView view, const PictureSize& camera);
 
 }  // namespace glide::replay

@@ -11,6 +11,7 @@ namespace {
 constexpr int kTruthEvery = 10;          // frames: aligning anew is seen but costs
 constexpr double kFieldOfView = 0.8;     // radians: little distortion at the edges
 constexpr double kFrustumShare = 0.011;  // of the distance from which the scene is seen
+constexpr double kAxesFrom = 4.0;        // axis lengths
 constexpr float kLandmarkPx = 6.0F;
 
 Lens lensOf(const Viewport& scene) {
@@ -36,15 +37,20 @@ Result<SplitView> SplitView::create(const SplitViewSetup& setup) {
   if (!picture) return picture.error();
   auto strip = CameraRenderer::create(GlStatePolicy::preserve, setup.camera);
   if (!strip) return strip.error();
-  return SplitView(setup, {std::move(*map), std::move(*picture), std::move(*strip)});
+  const Result<CameraModel> camera = CameraModel::create(setup.camera);
+  if (!camera) return camera.error();
+  return SplitView(
+      setup, ArScene(*camera), {std::move(*map), std::move(*picture), std::move(*strip)});
 }
 
-SplitView::SplitView(const SplitViewSetup& setup, Renderers renderers)
+SplitView::SplitView(const SplitViewSetup& setup, ArScene ar, Renderers renderers)
     : renderers_(std::move(renderers)),
+      view_(setup.view),
       camera_{setup.camera.width, setup.camera.height},
       timeline_(setup.frames),
       truth_(setup.truth),
       flight_(kFieldOfView),
+      ar_(std::move(ar)),
       map_(std::make_shared<MapView>()) {
   renderers_.map.setIntrinsics(setup.camera);
 }
@@ -58,6 +64,9 @@ void SplitView::show(const FrameMoment& moment) {
   truth_.add(moment.record);
   showMap(moment);
   renderers_.map.addFrame(frame);
+  T_world_cam_ = frame.T_world_cam;
+  is_tracked_ = frame.state == TrackingState::tracking;
+  if (view_ == RenderView::ar) ar_.show(frame, *map_);
   if (shown_frames_++ % kTruthEvery == 0) renderers_.map.setTruth(truth_.alignedTo(map_));
   if (frame.state != TrackingState::tracking) return;
   const auto framing = frameAround(*map_, toSE3(frame.T_world_cam));
@@ -85,15 +94,21 @@ std::optional<Orbit> SplitView::shownFrom(const ViewControl& control) const {
 }
 
 Status SplitView::draw(const PictureSize& size, const ViewControl& control) {
-  const SplitLayout layout = splitLayout(size, camera_);
-  for (const Status& drawn : {drawPicture(layout.picture), drawTimeline(layout.timeline)}) {
-    if (!drawn) return drawn;
-  }
+  const SplitLayout layout = layoutOf(view_, size, camera_);
+  Status drawn = isEmpty(layout.picture) ? Unit{} : drawPicture(layout.picture);
+  if (drawn && !isEmpty(layout.timeline)) drawn = drawTimeline(layout.timeline);
+  return drawn ? drawMap(layout, control) : drawn;
+}
+
+Status SplitView::drawMap(const SplitLayout& layout, const ViewControl& control) {
   const std::optional<Orbit>& flight = flight_.orbit();
   if (!flight) return Unit{};
   renderers_.map.setStyle(styleOfScene(flight->distance));
-  const Status map = renderers_.map.drawMiniMap(layout.mini_map);
-  if (!map) return map;
+  if (!isEmpty(layout.mini_map)) {
+    const Status drawn = renderers_.map.drawMiniMap(layout.mini_map);
+    if (!drawn) return drawn;
+  }
+  if (isEmpty(layout.scene)) return Unit{};
   return renderers_.map.draw(viewOf(control.apply(*flight), lensOf(layout.scene)), layout.scene);
 }
 
@@ -103,7 +118,19 @@ Status SplitView::drawPicture(const Viewport& viewport) {
           ? Picture(Luma{gray_.row(0), gray_.width(), gray_.height(), gray_.stride()})
           : Picture(viewOf(color_));
   const Status drawn = renderers_.picture.drawPicture(picture, viewport);
-  return drawn ? renderers_.picture.drawPoints(points_, tracker_, viewport) : drawn;
+  return drawn ? drawOverPicture(viewport) : drawn;
+}
+
+Status SplitView::drawOverPicture(const Viewport& viewport) {
+  if (view_ != RenderView::ar) return renderers_.picture.drawPoints(points_, tracker_, viewport);
+  if (!is_tracked_) return Unit{};
+  const std::vector<Pose> cubes = ar_.cubes();
+  ArContent content;
+  // From nearby an axis is all that one sees.
+  content.axes = toSE3(T_world_cam_).t.norm() > kAxesFrom * content.axis_length;
+  content.cubes = cubes;
+  content.cube_edge = static_cast<float>(ar_.edge());
+  return renderers_.picture.drawAr(content, T_world_cam_, viewport);
 }
 
 Status SplitView::drawTimeline(const Viewport& viewport) {

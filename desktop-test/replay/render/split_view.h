@@ -2,6 +2,7 @@
 
 #include "replay/evaluation/trajectory.h"
 #include "replay/outputs/frame_observer.h"
+#include "replay/render/ar_scene.h"
 #include "replay/render/follow_camera.h"
 #include "replay/render/split_layout.h"
 #include "replay/render/timeline.h"
@@ -25,10 +26,12 @@ struct SplitViewSetup {
   CameraIntrinsics camera;
   int frames = 0;    ///< that will come; 0 when unknown
   Trajectory truth;  ///< of the camera, metres; empty: none
+  RenderView view = RenderView::split;
 };
 
 /// A replay as one picture: the camera's view with the tracked points, the map from above, the map
-/// in 3-D from a camera that flies along, and a strip of who tracked what. Lives on the thread of
+/// in 3-D from a camera that flies along, and a strip of who tracked what; or
+/// one part of it alone (RenderView). Lives on the thread of
 /// an OpenGL ES 3.1 context, which is current in all calls.
 class SplitView {
  public:
@@ -48,17 +51,23 @@ class SplitView {
     CameraRenderer picture, strip;
   };
 
-  SplitView(const SplitViewSetup& setup, Renderers renderers);
+  SplitView(const SplitViewSetup& setup, ArScene ar, Renderers renderers);
   void showMap(const FrameMoment& moment);
   void keepPicture(const SourceFrame& frame);
+  Status drawMap(const SplitLayout& layout, const ViewControl& control);
   Status drawPicture(const Viewport& viewport);
+  Status drawOverPicture(const Viewport& viewport);
   Status drawTimeline(const Viewport& viewport);
 
   Renderers renderers_;
+  RenderView view_;
   PictureSize camera_;
   Timeline timeline_;
   TruthOverlay truth_;
   FollowCamera flight_;
+  ArScene ar_;
+  Pose T_world_cam_;  ///< of the last frame
+  bool is_tracked_ = false;
   std::shared_ptr<const MapView> map_;
   RgbPicture color_;  ///< of the last frame; empty when the source has no colour
   ImageU8 gray_;

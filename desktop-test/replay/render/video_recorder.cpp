@@ -7,18 +7,14 @@
 #include <utility>
 
 namespace glide::replay {
-namespace {
-
-constexpr PictureSize kSize{1280, 720};  // even sides: what video encoders want
-
-}  // namespace
-
 Result<std::unique_ptr<FrameObserver>> VideoRecorder::create(const RecorderSetup& setup) {
   Result<SplitView> view = SplitView::create(setup.view);
   if (!view) return view.error();
-  Result<RenderTarget> target = RenderTarget::create(kSize.width, kSize.height);
+  const CameraIntrinsics& camera = setup.view.camera;
+  const PictureSize size = videoSize(setup.view.view, {camera.width, camera.height});
+  Result<RenderTarget> target = RenderTarget::create(size.width, size.height);
   if (!target) return target.error();
-  Result<std::unique_ptr<FrameSink>> sink = openFrameSink(setup.path, kSize);
+  Result<std::unique_ptr<FrameSink>> sink = openFrameSink(setup.path, size);
   if (!sink) return sink.error();
   return std::unique_ptr<FrameObserver>(
       new VideoRecorder(setup, std::move(*view), std::move(*target), std::move(*sink)));
@@ -37,10 +33,11 @@ VideoRecorder::VideoRecorder(const RecorderSetup& setup,
 Status VideoRecorder::onFrame(const FrameMoment& moment) {
   Stopwatch watch;
   view_.show(moment);
+  const PictureSize size{target_.width(), target_.height()};
   target_.begin(kPaperColor);
-  const Status drawn = view_.draw(kSize, ViewControl());
+  const Status drawn = view_.draw(size, ViewControl());
   if (!drawn) return drawn;
-  const RgbPicture picture{kSize.width, kSize.height, target_.readRgb()};
+  const RgbPicture picture{size.width, size.height, target_.readRgb()};
   drawn_ms_ += watch.lapMs();
   const Status written = sink_->write(picture, moment.record.result.t_ns);
   written_ms_ += watch.lapMs();

@@ -21,7 +21,7 @@ struct RecorderSetup {
   std::function<void(const std::string&)> tell;  ///< where it says what it has written
 };
 
-/// --render: draws every frame's split view into a video or a folder of pictures.
+/// --render: draws every frame's view into a video or a folder of pictures.
 class VideoRecorder : public FrameObserver {
  public:
   /// io when the path cannot be written, unsupported when the context cannot draw.
