@@ -8,21 +8,24 @@
 namespace glide::replay {
 namespace {
 
-// Seconds until a difference has shrunk to a third: what the camera does, then what it sees.
-constexpr double kFocusLag = 0.8, kDistanceLag = 1.0, kHeadingLag = 2.5, kUpLag = 3.0;
+// Seconds until a difference has shrunk to a third.
+constexpr double kFocusLag = 0.8, kHeadingLag = 2.5, kUpLag = 3.0;
+constexpr double kRetreatLag = 0.35, kApproachLag = 1.5;  // what is new is to be seen at once
 constexpr double kMaxStep = 1.0;  // s; a gap in the frames is no reason to jump
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kSwing = 0.6, kSwingPeriod = 16.0;  // radians and seconds: parallax without haste
 constexpr double kShown = 0.9;           // share of the landmarks that must be in the picture
-constexpr double kMargin = 1.12;         // frusta are larger than the points where they stand
+constexpr double kMargin = 1.15;         // frusta are larger than the points where they stand
 constexpr double kLeastDistance = 1e-3;  // scene units: of a map that is a single point
 constexpr double kElevation = 0.6;       // radians: the path is seen, and walls, too
 
 double gain(double step_s, double lag_s) { return 1.0 - std::exp(-step_s / lag_s); }
 
 Vec3d turned(const Vec3d& from, const Vec3d& to, double share) {
+  constexpr double kOpposite = 1e-3;  // norm of the middle of two unit vectors
   const Vec3d mixed = from + share * (to - from);
-  return mixed.norm() < 1e-3 ? from : mixed.normalized();  // opposite: stay until one side wins
+  return mixed.norm() < kOpposite ? from
+                                  : mixed.normalized();  // opposite: stay until one side wins
 }
 
 }  // namespace
@@ -53,7 +56,8 @@ void FollowCamera::approach(const Framing& framing, double step_s) {
   swing_s_ += step_s;
   shown.azimuth = kSwing * std::sin(kTwoPi * swing_s_ / kSwingPeriod);
   const double wanted = distanceFor(framing);
-  shown.distance *= std::pow(wanted / shown.distance, gain(step_s, kDistanceLag));
+  const double lag_s = wanted > shown.distance ? kRetreatLag : kApproachLag;
+  shown.distance *= std::pow(wanted / shown.distance, gain(step_s, lag_s));
 }
 
 double FollowCamera::distanceFor(const Framing& framing) const {
