@@ -126,10 +126,8 @@ void addMaps(CLI::App& app, Raw& raw) {
       ->needs(map_in);
 }
 
-void addOutputs(CLI::App& app, Raw& raw) {
+void addPictures(CLI::App& app, Raw& raw) {
   Options& options = raw.options;
-  app.add_option("-o,--output", options.output, "output folder (default: out/<name>-<time>)")
-      ->type_name("DIR");
   app.add_option("--render",
                  options.render,
                  "draw the replay into a video (.mp4, .mkv, .avi) or a folder of\n"
@@ -148,6 +146,16 @@ void addOutputs(CLI::App& app, Raw& raw) {
                options.viewer,
                "show the same in a window: space pauses, . steps, f follows or\n"
                "holds, the mouse turns and zooms, q ends the replay");
+  raw.report_flag = app.add_flag("--report,!--no-report",
+                                 raw.report,
+                                 "write report.html, a page with the map in 3-D and "
+                                 "charts\n(default: where npm was there to build the page)");
+}
+
+void addOutputs(CLI::App& app, Raw& raw) {
+  Options& options = raw.options;
+  app.add_option("-o,--output", options.output, "output folder (default: out/<name>-<time>)")
+      ->type_name("DIR");
   const std::map<std::string, TrajectoryFrame> frames = {{"cam", TrajectoryFrame::camera},
                                                          {"body", TrajectoryFrame::body}};
   app.add_option("--trajectory-frame",
@@ -164,10 +172,6 @@ void addOutputs(CLI::App& app, Raw& raw) {
       ->transform(plain(CLI::CheckedTransformer(progress)))
       ->type_name("auto|plain|none");
   app.add_flag("--json", options.json, "print stats.json on stdout; all else goes to stderr");
-  raw.report_flag = app.add_flag("--report,!--no-report",
-                                 raw.report,
-                                 "write report.html, a page with the map in 3-D and "
-                                 "charts\n(default: where npm was there to build the page)");
   app.add_option("--require-tracked",
                  options.require_tracked,
                  "exit with 5 when the tracked ratio is lower")
@@ -216,6 +220,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
   addConfig(app, raw);
   addMaps(app, raw);
   addOutputs(app, raw);
+  addPictures(app, raw);
   try {
     app.parse(argc, argv);
     if (raw.options.source.empty() && !raw.options.print_config) {
