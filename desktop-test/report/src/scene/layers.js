@@ -3,7 +3,8 @@ import { BufferAttribute, BufferGeometry, CanvasTexture, Color, Points, PointsMa
 import { LINES_PER_FRUSTUM, frustumLines } from "./frustum.js";
 import { pathEnds, segments } from "./lines.js";
 
-const POINT_PX = 3;
+const POINT_PX = 4, SMALL_POINT_PX = 3; // where there are many, each may be smaller
+const MANY = 6000;
 
 function disc() {
   const size = 32;
@@ -43,7 +44,7 @@ export function landmarkLayer(run, world, colors) {
   const values = run.landmarks.colors ? linearColors(run.landmarks) : heightColors(run.landmarks, world, colors);
   geometry.setAttribute("color", new BufferAttribute(values, 3));
   const material = new PointsMaterial({
-    size: POINT_PX, sizeAttenuation: false, vertexColors: true, map: disc(), alphaTest: 0.5,
+    size: run.landmarks.count > MANY ? SMALL_POINT_PX : POINT_PX, sizeAttenuation: false, vertexColors: true, map: disc(), alphaTest: 0.5,
   });
   const points = new Points(geometry, material);
   points.frustumCulled = false;
