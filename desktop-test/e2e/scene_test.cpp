@@ -26,6 +26,20 @@ TEST(Scenes, AFacadeIsTrackedInProportionToItsDepth) { expectGoodRunIn(SceneKind
 
 TEST(Scenes, APlanarDeskIsTrackedInProportionToItsDepth) { expectGoodRunIn(SceneKind::desk); }
 
+TEST(Scenes, ALivingRoomInColourIsTrackedFromAroundItsTable) {
+  constexpr int kArcFrames = 75;      // a fifth of a round: nothing is seen again
+  constexpr double kMaxAte_m = 0.01;  // half the resolution of the demo, on 1.5 m
+  synthetic::SequenceOptions options = roomWalk(kArcFrames);
+  options.scene = SceneKind::living_room;
+  options.motion.kind = synthetic::MotionKind::orbit;
+  options.motion.speed = 1.6;
+  options.sensor.metering = 0.5;
+  const Playback run = play(options, inlineConfig());
+  EXPECT_THAT(run, IsTrackedToTheEnd());
+  EXPECT_LT(evaluate(run).ate_rmse_m, kMaxAte_m) << describe(run);
+  EXPECT_THAT(run, IsMostlyDirect());
+}
+
 TEST(Scenes, AFacadeWhoseBaysAreAlikeIsNotTakenForItselfOneBayFurther) {
   constexpr int kWalkFrames = 200;    // 13 m, nearly five bays
   constexpr double kMaxAte_m = 0.05;  // a brick is 0.3 m, a bay 2.7 m

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -185,6 +186,12 @@ void addSize(CLI::App* app, Size* size) {
       ->option_text("WxH");
 }
 
+void setFieldOfView(double horizontal_deg, CameraIntrinsics* camera) {
+  constexpr double kRadiansPerDegree = 3.141592653589793 / 180.0;
+  camera->fx = 0.5 * camera->width / std::tan(0.5 * kRadiansPerDegree * horizontal_deg);
+  camera->fy = camera->fx;
+}
+
 }  // namespace
 
 std::optional<Command> parseCommandLine(int argc, char** argv, int* exit_status) {
@@ -194,10 +201,16 @@ std::optional<Command> parseCommandLine(int argc, char** argv, int* exit_status)
   Command command;
   DistortionModel model = DistortionModel::none;
   Size size;
+  std::optional<double> field_of_view_deg;
   app.add_option("OUT", command.folder, "folder to write")->required()->option_text(" ");
   addSceneOptions(&app, &command);
   addChoice(&app, "--camera", kCameras, &model, "lens model (default pinhole)");
   addSize(&app, &size);
+  app.add_option("--fov",
+                 field_of_view_deg,
+                 "horizontal field of view of a pinhole camera, degrees (default 63)")
+      ->check(CLI::Range(10.0, 150.0).description(""))
+      ->option_text("DEG");
   addMotionOptions(&app, &command.sequence.motion);
   addKidnap(&app, &command.sequence.kidnap);
   addSensorOptions(&app, &command.sequence.sensor);
@@ -207,7 +220,13 @@ std::optional<Command> parseCommandLine(int argc, char** argv, int* exit_status)
     *exit_status = app.exit(error) == 0 ? 0 : 1;
     return std::nullopt;
   }
+  if (field_of_view_deg && model != DistortionModel::none) {
+    *exit_status = 1;
+    std::fprintf(stderr, "glide synth: --fov: only with --camera pinhole\n");
+    return std::nullopt;
+  }
   command.sequence.camera = makeCamera(model, size.width, size.height);
+  if (field_of_view_deg) setFieldOfView(*field_of_view_deg, &command.sequence.camera);
   return command;
 }
 

@@ -129,7 +129,7 @@ Painter rug() {
     }
     lozenges(canvas, random);
     wear(canvas, random);
-    mottle(canvas, {0.05F, canvas->px(0.02F), 0.95F}, random);
+    mottle(canvas, {0.09F, canvas->px(0.03F), 0.9F}, random);
   };
 }
 

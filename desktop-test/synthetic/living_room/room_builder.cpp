@@ -45,7 +45,7 @@ Curve reflectanceCurve() {
 
 /// From linear radiance to levels 0..255, with a shoulder instead of a clipped end.
 Curve filmCurve() {
-  constexpr float kSpeed = 1.6F, kBrightest = 6.0F;
+  constexpr float kSpeed = 1.8F, kBrightest = 6.0F;
   return Curve(kBrightest, [](float radiance) {
     return 255.0F * std::pow(1.0F - std::exp(-kSpeed * radiance), 1.0F / kGamma);
   });

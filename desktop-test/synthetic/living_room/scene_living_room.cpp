@@ -219,12 +219,13 @@ Scene makeLivingRoom(std::uint64_t seed) {
   light.bulbs.push_back(addFloorLamp(kFront.stand(2.2F, 0, -0.35F, 0), &room));
   light.bulbs.push_back(addPendantLamp({0.0F, kCeiling, 0.15F}, 0.85F, &room));
   Scene scene = room.finish(light, seed);
-  scene.viewpoint.eye = {0.0, 0.0, -1.45};
-  scene.viewpoint.target = {0.0, 0.25, 0.5};
+  // Looking a little down: what is near is seen as well as what is far.
+  scene.viewpoint.eye = {0.0, -0.04, -1.3};
+  scene.viewpoint.target = {0.0, 0.36, 0.1};
   scene.viewpoint.depth = 2.0;
-  scene.viewpoint.orbit_center = {0.0, 0.25, 0.0};
-  scene.viewpoint.orbit_radius = 1.1;
-  scene.viewpoint.orbit_rise = 0.25;
+  scene.viewpoint.orbit_center = {0.0, 0.36, 0.1};
+  scene.viewpoint.orbit_radius = 1.35;
+  scene.viewpoint.orbit_rise = 0.3;
   return scene;
 }
 
