@@ -172,7 +172,7 @@ Status AppSession::saveMap(const char* path) const { return session_.saveMap(pat
 Status AppSession::loadMap(const char* path) {
   const Result<Session::MapFile> file = Session::MapFile::read(path);
   if (!file) return file.error();
-  const Status taken = takeMap(*file);
+  Status taken = takeMap(*file);
   if (!taken) return Error{taken.error().code, std::string(path) + ": " + taken.error().message};
   session_.waitForMapping();
   return taken;
@@ -181,7 +181,7 @@ Status AppSession::loadMap(const char* path) {
 Status AppSession::loadMap(std::span<const std::byte> bytes) {
   const Result<Session::MapFile> file = Session::MapFile::decode(bytes);
   if (!file) return file.error();
-  const Status taken = takeMap(*file);
+  Status taken = takeMap(*file);
   if (taken) session_.waitForMapping();
   return taken;
 }

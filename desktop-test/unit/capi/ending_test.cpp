@@ -62,6 +62,7 @@ TEST(CDestroy, MayComeWhileThreadsCall) {
   CWalk walk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
   walk.walk(3);
   std::vector<std::thread> callers;
+  callers.reserve(4);
   for (int i = 0; i < 3; ++i) callers.emplace_back([&walk] { waitUntilClosed(walk.session()); });
   callers.emplace_back([&walk] {
     while (walk.status() == GLIDE_OK) walk.feed(CWalk::image(9));
