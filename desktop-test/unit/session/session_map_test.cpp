@@ -82,6 +82,18 @@ TEST(SessionMap, IsNotChangedByASessionThatOnlyLocalizes) {
     EXPECT_EQ(after->landmarks[i].p_world, before->landmarks[i].p_world);
 }
 
+TEST(SessionMap, TellsItsSizeWithoutACopy) {
+  const MappedWalk walk(SequenceFixture().config());
+  const std::shared_ptr<const MapView> map = walk.session.map();
+  std::size_t living = 0;
+  for (const MapView::Keyframe& keyframe : map->keyframes) living += keyframe.retired ? 0U : 1U;
+  const MapSize size = walk.session.mapSize();
+  EXPECT_GT(size.keyframes, 1U);
+  EXPECT_EQ(size.keyframes, living);
+  EXPECT_EQ(size.landmarks, map->landmarks.size());
+  EXPECT_EQ(size.loops, map->loops.size());
+}
+
 TEST(SessionMap, GrowsOnAfterItWasLoaded) {
   const MappedWalk walk(SequenceFixture().config());
   Session other = makeSession(SequenceFixture().config());
