@@ -71,6 +71,15 @@ TEST_P(VideoSink, HoldsTheFramesAtTheirRate) {
 
 INSTANTIATE_TEST_SUITE_P(Containers, VideoSink, testing::Values("a.mp4", "a.mkv", "a.AVI"));
 
+TEST(FrameSink, TakesANameWithoutAFolder) {
+  const ScratchFolder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  const auto sink = openFrameSink("walk.mp4", kSize);
+  EXPECT_TRUE(sink.ok()) << sink.error().message;
+  fs::current_path(before);
+}
+
 TEST(FrameSink, WritesAVideoOfAFrameOrTwo) {
   for (const int frames : {1, 2}) {
     const ScratchFolder folder;

@@ -33,6 +33,7 @@ std::vector<int> codecsFor(const fs::path& file) {
 Result<std::unique_ptr<FrameSink>> VideoFile::open(const fs::path& file, const PictureSize& size) {
   std::error_code fault;
   if (fs::is_directory(file, fault)) return errorIn(file, "is a folder, not a video");
+  fault.clear();  // that the file is not there yet is none
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), fault);
   if (fault) return errorIn(file.parent_path(), "cannot be made: " + fault.message());
   std::unique_ptr<VideoFile> video(new VideoFile(file, size));
