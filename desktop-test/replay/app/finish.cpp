@@ -46,9 +46,8 @@ std::optional<Failure> endWatchers(const Job& job, const FrameCounts& counts) {
   std::optional<Trajectory> truth;
   if (job.truth) truth = truthInFrame(*job.truth, RigFrame::camera, job.calibration.T_body_cam);
   for (const auto& watcher : job.watchers) {
-    const Status status =
-        watcher->onEnd(
-            {job.run, job.trajectories, counts, job.accuracy, truth, job.output, job.colors});
+    const Status status = watcher->onEnd(
+        {job.run, job.trajectories, counts, job.accuracy, truth, job.output, job.colors});
     if (!status) return Failure{kUnreadableInput, status.error().message};
   }
   return std::nullopt;
@@ -82,8 +81,7 @@ std::optional<Failure> runFrames(Job& job) {
   const Status status = playFrames(job);
   if (!status && status.error().code == ErrorCode::unsupported)
     return Failure{kNoGl, status.error().message};
-  if (!status)
-    return Failure{kUnreadableInput, status.error().message};
+  if (!status) return Failure{kUnreadableInput, status.error().message};
   if (run.interrupted) {
     job.log.say(fmt::format(
         "interrupted after {}: writing what was tracked so far (Ctrl-C again ends at once)",

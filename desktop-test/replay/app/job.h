@@ -43,7 +43,7 @@ struct Job {
   RunTrajectories trajectories;
   Estimates written;  ///< the trajectories in the frame that --trajectory-frame asks for
   std::optional<Accuracy> accuracy;
-  PointColors colors;  ///< of the landmarks
+  PointColors colors;                                    ///< of the landmarks
   std::vector<std::unique_ptr<FrameObserver>> watchers;  ///< die first: they may use the GL context
 };
 

@@ -27,7 +27,7 @@ struct RunRecord {
   Config config;
   Pace pace = Pace::lossless;
   std::vector<FrameRecord> frames;
-  int dropped = 0;  ///< frames that came while the tracker was busy (realtime only)
+  int dropped = 0;           ///< frames that came while the tracker was busy (realtime only)
   bool interrupted = false;  ///< ended by a signal before the source did
   BackendInfo backend;
   std::shared_ptr<const MapView> map;  ///< at the end, everything mapped; never null
