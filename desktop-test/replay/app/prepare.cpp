@@ -2,6 +2,7 @@
 #include "replay/app/job.h"
 #include "replay/calibration/field_of_view.h"
 #include "replay/common/text.h"
+#include "replay/outputs/render_path.h"
 
 #include "base/stopwatch.h"
 
@@ -30,7 +31,9 @@ std::optional<Failure> openFrames(Job& job) {
                            info.listed,
                            info.width,
                            info.height));
-  return std::nullopt;
+  if (!job.options.render) return std::nullopt;
+  const std::optional<std::string> danger = dangerToSource(*job.options.render, info.path);
+  return danger ? std::optional(usage("--render: " + *danger)) : std::nullopt;
 }
 
 /// The size of a calibration that does not tell one is the images'.

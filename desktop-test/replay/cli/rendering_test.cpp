@@ -90,6 +90,7 @@ TEST_F(Rendering, DrawsAPictureOfEachFrameWithFrustaInBothColours) {
   EXPECT_THAT(result.err, HasSubstr(place("frames") + ": 24 frames"));
   int files = 0;
   for (const auto& entry : fs::directory_iterator(place("frames"))) {
+    if (entry.path().extension() != ".png") continue;
     const cv::Mat picture = cv::imread(entry.path().string());
     EXPECT_EQ(picture.size(), cv::Size(kWidth, kHeight)) << entry.path();
     ++files;
@@ -145,6 +146,23 @@ TEST_F(Rendering, LeavesAVideoOfWhatWasSeenWhenItIsInterrupted) {
   const cv::VideoCapture video(file, cv::CAP_FFMPEG);
   EXPECT_GE(video.get(cv::CAP_PROP_FRAME_COUNT), 2);
   EXPECT_LT(video.get(cv::CAP_PROP_FRAME_COUNT), kLong);
+}
+
+TEST_F(Rendering, LeavesItsSourceAlone) {
+  const fs::path images = folder_.path() / "images";
+  fs::create_directories(images);
+  fs::copy(dataset() / "rgb" / "0.png", images / "000000.png");
+  const ProgramResult result = runReplay({images.string(),
+                                          "-c",
+                                          (dataset() / "calibration.yaml").string(),
+                                          "-o",
+                                          place("out"),
+                                          "--render",
+                                          images.string()},
+                                         folder_.path());
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("--render: " + images.string()));
+  EXPECT_TRUE(fs::exists(images / "000000.png"));
 }
 
 TEST_F(Rendering, EndsWithOneWhereItCannotWrite) {

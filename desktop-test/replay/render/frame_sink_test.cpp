@@ -115,10 +115,37 @@ TEST(FrameSink, NumbersPicturesAndRemovesThoseOfAnEarlierRun) {
     writeFrames(**sink, frames);
     ASSERT_TRUE((*sink)->finish().ok());
   }
-  EXPECT_THAT(namesIn(pictures), ElementsAre("000000.png", "000001.png", "notes.txt"));
+  EXPECT_THAT(namesIn(pictures),
+              ElementsAre(".glide-pictures", "000000.png", "000001.png", "notes.txt"));
   const cv::Mat first = cv::imread((pictures / "000000.png").string());
   EXPECT_EQ(first.size(), cv::Size(kSize.width, kSize.height));
   EXPECT_EQ(first.at<cv::Vec3b>(10, 10), cv::Vec3b(20, 20, 230));
+}
+
+TEST(FrameSink, RemovesNoPicturesOfOthers) {
+  const ScratchFolder folder;
+  for (const char* name : {"000000.png", "0000000000.png", "1305031102175304.png"}) {
+    const fs::path pictures = folder.path() / fs::path(name).stem();
+    fs::create_directories(pictures);
+    ASSERT_TRUE(writeFile(pictures / name, "mine").ok());
+    const auto sink = openFrameSink(pictures, kSize);
+    ASSERT_FALSE(sink.ok()) << name;
+    EXPECT_THAT(sink.error().message, HasSubstr((pictures / name).string()));
+    EXPECT_EQ(*readFile(pictures / name), "mine");
+  }
+}
+
+TEST(FrameSink, RemovesNoPictureBeyondThoseOfAnEarlierRun) {
+  const ScratchFolder folder;
+  {
+    auto sink = openFrameSink(folder.path(), kSize);
+    ASSERT_TRUE(sink.ok());
+    writeFrames(**sink, 2);
+  }
+  ASSERT_TRUE(writeFile(folder.path() / "000002.png", "mine").ok());
+  EXPECT_FALSE(openFrameSink(folder.path(), kSize).ok());
+  EXPECT_THAT(namesIn(folder.path()),
+              ElementsAre(".glide-pictures", "000000.png", "000001.png", "000002.png"));
 }
 
 TEST(FrameSink, SaysWhatItCannotWrite) {

@@ -16,10 +16,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kWaiting = 9;      // eight intervals: their median is the rate
 constexpr double kLoneFrameRate = 30.0;  // of a video of one frame
 
-fs::path besideOf(const fs::path& file) {
-  return file.parent_path() / (file.stem().string() + ".partial" + file.extension().string());
-}
-
 std::vector<int> codecsFor(const fs::path& file) {
   const int h264 = cv::VideoWriter::fourcc('a', 'v', 'c', '1');
   const int mpeg4 = cv::VideoWriter::fourcc('m', 'p', '4', 'v');
@@ -46,7 +42,7 @@ Result<std::unique_ptr<FrameSink>> VideoFile::open(const fs::path& file, const P
 }
 
 VideoFile::VideoFile(const fs::path& file, const PictureSize& size)
-    : file_(file), beside_(besideOf(file)), size_(size) {}
+    : file_(file), beside_(partialVideo(file)), size_(size) {}
 
 VideoFile::~VideoFile() {
   writer_.release();
