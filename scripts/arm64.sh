@@ -38,6 +38,8 @@ arm64_check_portable() {
 }
 
 arm64_units=(base geometry image photometric feature map optimize track ar capi)
+# What tracks whole walks takes a hundred times as long as natively; one of them, which also saves and loads, is left.
+arm64_too_long='CScene*:CThreads.*:CSession.*:CMap.O*:CMap.T*'
 # Some of each: what a context has, kernels that write images, kernels that reduce, textures.
 arm64_gles_tests='GlCapsTest.*:GpuPyramidTest.*:GpuAlignerTest.GivesTheCpus*:TextureReaderTest.TakesR8*'
 
@@ -47,7 +49,7 @@ arm64_unit_tests() {
     IFS='|'
     echo "${arm64_units[*]}"
   ))_test$"
-  build arm64 "${arm64_units[@]/%/_test}" && ctest_in arm64 -R "$expression"
+  build arm64 "${arm64_units[@]/%/_test}" && GTEST_FILTER="-$arm64_too_long" ctest_in arm64 -R "$expression"
 }
 
 # On Mesa's llvmpipe for arm64; the emulator's -L is where it and its drivers lie.
