@@ -56,6 +56,9 @@ class CameraRenderer::Impl {
   Impl& operator=(const Impl&) = delete;
   ~Impl() { releaseGl(); }
 
+  /// For what is drawn from now on.
+  void setCamera(const CameraModel& camera) { camera_ = camera; }
+
   Status drawPicture(const Picture& picture, const Viewport& viewport);
   Status drawPoints(std::span<const TrackedPoint> points,
                     TrackerKind tracker,
@@ -147,6 +150,13 @@ CameraRenderer::CameraRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(imp
 CameraRenderer::CameraRenderer(CameraRenderer&&) noexcept = default;
 CameraRenderer& CameraRenderer::operator=(CameraRenderer&&) noexcept = default;
 CameraRenderer::~CameraRenderer() = default;
+
+Status CameraRenderer::setIntrinsics(const CameraIntrinsics& camera) {
+  const Result<CameraModel> model = CameraModel::create(camera);
+  if (!model) return model.error();
+  impl_->setCamera(*model);
+  return Unit{};
+}
 
 Status CameraRenderer::drawPicture(const Picture& picture, const Viewport& viewport) {
   return impl_->drawPicture(picture, viewport);

@@ -32,6 +32,10 @@ class GLIDE_API CameraRenderer {
   CameraRenderer& operator=(CameraRenderer&&) noexcept;
   ~CameraRenderer();
 
+  /// The lens that AR content is drawn through from now on, such as MapView::corrected_camera.
+  /// invalid_argument as create(); then the one before stays.
+  Status setIntrinsics(const CameraIntrinsics& camera);
+
   /// The picture alone. invalid_argument when it has no pixels or the viewport none, for a texture
   /// that Session::update would not take, either, and without a complete framebuffer; unsupported
   /// for an external texture in a context without the extension.
@@ -39,7 +43,7 @@ class GLIDE_API CameraRenderer {
   /// Points over the picture drawn last, in the same viewport: green where they agree, over yellow
   /// to red where they do not; the scale is the tracker's (direct: 0 to 25 grey levels, indirect: 0
   /// to 3 px). Outliers are hollow. A line leads from where the same landmark was in the draws
-  /// before, up to ten.
+  /// before, up to ten; draws without points count.
   Status drawPoints(std::span<const TrackedPoint> points,
                     TrackerKind tracker,
                     const Viewport& viewport);

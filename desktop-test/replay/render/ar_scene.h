@@ -19,6 +19,9 @@ class ArScene {
  public:
   explicit ArScene(const CameraModel& camera) : camera_(camera) {}
 
+  /// The camera as the map has corrected it, for places from now on.
+  void setCamera(const CameraModel& camera) { camera_ = camera; }
+
   /// Takes the cubes to where the map has their places now, and sets down another one when a new
   /// keyframe shows room for it. `map` is of the frame.
   void show(const FrameResult& frame, const MapView& map);

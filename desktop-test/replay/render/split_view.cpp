@@ -46,7 +46,7 @@ Result<SplitView> SplitView::create(const SplitViewSetup& setup) {
 SplitView::SplitView(const SplitViewSetup& setup, ArScene ar, Renderers renderers)
     : renderers_(std::move(renderers)),
       view_(setup.view),
-      camera_{setup.camera.width, setup.camera.height},
+      camera_(setup.camera),
       timeline_(setup.frames),
       truth_(setup.truth),
       flight_(kFieldOfView),
@@ -56,13 +56,17 @@ SplitView::SplitView(const SplitViewSetup& setup, ArScene ar, Renderers renderer
 }
 
 void SplitView::show(const FrameMoment& moment) {
-  const FrameResult& frame = moment.record.result;
-  keepPicture(moment.frame);
-  points_ = moment.session.trackedPoints();
+  show({moment.record, moment.frame, mapOf(moment), moment.session.trackedPoints()});
+}
+
+void SplitView::show(ShownFrame shown) {
+  const FrameResult& frame = shown.record.result;
+  keepPicture(shown.frame);
+  points_ = std::move(shown.points);
   tracker_ = frame.tracker;
   timeline_.add(frame);
-  truth_.add(moment.record);
-  showMap(moment);
+  truth_.add(shown.record);
+  if (shown.map != map_) showMap(std::move(shown.map));
   renderers_.map.addFrame(frame);
   T_world_cam_ = frame.T_world_cam;
   is_tracked_ = frame.state == TrackingState::tracking;
@@ -73,12 +77,25 @@ void SplitView::show(const FrameMoment& moment) {
   if (framing) flight_.follow(*framing, static_cast<double>(frame.t_ns) * 1e-9);
 }
 
-void SplitView::showMap(const FrameMoment& moment) {
-  if (moment.record.result.map_revision == map_->revision && !map_->keyframes.empty()) return;
-  const std::shared_ptr<const MapView> before = std::exchange(map_, moment.session.map());
-  if (map_->resets != before->resets) flight_.jump();
+/// The one that is shown, unless the frame has brought another one.
+std::shared_ptr<const MapView> SplitView::mapOf(const FrameMoment& moment) const {
+  const bool is_shown = moment.record.result.map_revision == map_->revision;
+  return is_shown && !map_->keyframes.empty() ? map_ : moment.session.map();
+}
+
+void SplitView::showMap(std::shared_ptr<const MapView> map) {
+  if (map_->resets != map->resets) flight_.jump();
+  map_ = std::move(map);
   renderers_.map.setMap(map_);
-  if (map_->corrected_camera) renderers_.map.setIntrinsics(*map_->corrected_camera);
+  useCamera(map_->corrected_camera.value_or(camera_));
+}
+
+/// What is drawn into the picture goes through the lens that the poses were found with.
+void SplitView::useCamera(const CameraIntrinsics& camera) {
+  const Result<CameraModel> model = CameraModel::create(camera);
+  if (!model || !renderers_.picture.setIntrinsics(camera)) return;  // a map's camera is always one
+  renderers_.map.setIntrinsics(camera);
+  ar_.setCamera(*model);
 }
 
 /// A copy: a viewer draws the frame again when it is long gone.
@@ -94,7 +111,7 @@ std::optional<Orbit> SplitView::shownFrom(const ViewControl& control) const {
 }
 
 Status SplitView::draw(const PictureSize& size, const ViewControl& control) {
-  const SplitLayout layout = layoutOf(view_, size, camera_);
+  const SplitLayout layout = layoutOf(view_, size, {camera_.width, camera_.height});
   Status drawn = isEmpty(layout.picture) ? Unit{} : drawPicture(layout.picture);
   if (drawn && !isEmpty(layout.timeline)) drawn = drawTimeline(layout.timeline);
   return drawn ? drawMap(layout, control) : drawn;

@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace glide::replay {
 
@@ -29,6 +30,14 @@ struct SplitViewSetup {
   RenderView view = RenderView::split;
 };
 
+/// What a frame shows.
+struct ShownFrame {
+  const FrameRecord& record;
+  const SourceFrame& frame;
+  std::shared_ptr<const MapView> map;  ///< never null
+  std::vector<TrackedPoint> points;
+};
+
 /// A replay as one picture: the camera's view with the tracked points, the map from above, the map
 /// in 3-D from a camera that flies along, and a strip of who tracked what; or
 /// one part of it alone (RenderView). Lives on the thread of
@@ -40,6 +49,7 @@ class SplitView {
 
   /// Takes over what a frame changed.
   void show(const FrameMoment& moment);
+  void show(ShownFrame shown);
   /// Draws the present state into the framebuffer that is bound, from its lower left corner.
   Status draw(const PictureSize& size, const ViewControl& control);
   /// What draw() shows the scene from; nothing while there is no map to fly around.
@@ -52,7 +62,9 @@ class SplitView {
   };
 
   SplitView(const SplitViewSetup& setup, ArScene ar, Renderers renderers);
-  void showMap(const FrameMoment& moment);
+  std::shared_ptr<const MapView> mapOf(const FrameMoment& moment) const;
+  void showMap(std::shared_ptr<const MapView> map);
+  void useCamera(const CameraIntrinsics& camera);
   void keepPicture(const SourceFrame& frame);
   Status drawMap(const SplitLayout& layout, const ViewControl& control);
   Status drawPicture(const Viewport& viewport);
@@ -61,7 +73,7 @@ class SplitView {
 
   Renderers renderers_;
   RenderView view_;
-  PictureSize camera_;
+  CameraIntrinsics camera_;  ///< as it was given
   Timeline timeline_;
   TruthOverlay truth_;
   FollowCamera flight_;
