@@ -22,7 +22,8 @@ bool PointTrails::isLastPicture(std::span<const TrackedPoint> points) const {
 }
 
 void PointTrails::add(std::span<const TrackedPoint> points) {
-  if (isLastPicture(points)) return;
+  // Without points it is not known whether it is the same picture: while lost, pictures go on.
+  if (!points.empty() && isLastPicture(points)) return;
   last_.assign(points.begin(), points.end());
   ++picture_;
   for (const TrackedPoint& point : points)

@@ -16,7 +16,8 @@ class PointTrails {
  public:
   static constexpr std::size_t kLength = 10;  ///< positions before the newest, and draws back
 
-  /// The points of one more picture. The same points once more are the same picture, drawn again.
+  /// The points of one more picture. The same points once more are the same picture, drawn again;
+  /// no points are a picture of their own each time.
   void add(std::span<const TrackedPoint> points);
 
   /// Pixels, the newest first; of a landmark of the last picture at least one.

@@ -65,6 +65,15 @@ TEST(PointTrails, DoNotGrowWhenAPictureIsDrawnAgain) {
   EXPECT_EQ(trails.of(1).count, 3U);
 }
 
+TEST(PointTrails, DoNotReachAcrossALoss) {
+  PointTrails trails;
+  follow(&trails, 5);
+  for (std::size_t lost = 0; lost <= PointTrails::kLength; ++lost) trails.add({});
+  EXPECT_EQ(trails.size(), 0U);
+  trails.add(std::vector<TrackedPoint>{pointAt(1, 300.0F)});
+  EXPECT_EQ(trails.of(1).count, 1U);
+}
+
 TEST(PointTrails, OfNothingAreEmpty) {
   PointTrails trails;
   trails.add({});
