@@ -99,7 +99,7 @@ class RenderTarget::Impl {
   int width() const { return width_; }
   int height() const { return height_; }
   Status settle();
-  void begin(const Color& background);
+  Status begin(const Color& background);
   std::vector<std::uint8_t> readRgb() const;
   void abandonGl() {
     if (objects_) objects_->abandon();
@@ -135,14 +135,15 @@ void RenderTarget::Impl::leave() {
   objects_.reset();
 }
 
-void RenderTarget::Impl::begin(const Color& background) {
-  if (!settle()) return;
+Status RenderTarget::Impl::begin(const Color& background) {
+  if (Status settled = settle(); !settled) return settled;
   const ScopedState<GlRasterState> raster(GlStatePolicy::preserve);
   const ScopedRenderState depth(GlStatePolicy::preserve);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, objects_->drawn.framebuffer());
   glClearBufferfv(GL_COLOR, 0, background.data());
   constexpr GLfloat kFarthest = 1.0F;
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+  return Unit{};
 }
 
 std::vector<std::uint8_t> RenderTarget::Impl::readRgb() const {
@@ -174,7 +175,7 @@ RenderTarget::~RenderTarget() = default;
 
 int RenderTarget::width() const { return impl_->width(); }
 int RenderTarget::height() const { return impl_->height(); }
-void RenderTarget::begin(const Color& background) { impl_->begin(background); }
+Status RenderTarget::begin(const Color& background) { return impl_->begin(background); }
 std::vector<std::uint8_t> RenderTarget::readRgb() { return impl_->readRgb(); }
 void RenderTarget::abandonGl() { impl_->abandonGl(); }
 

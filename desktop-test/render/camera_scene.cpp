@@ -96,7 +96,7 @@ RgbPicture drawn(int width, int height, const std::function<void(const Viewport&
   Result<RenderTarget> target = RenderTarget::create(width, height);
   EXPECT_TRUE(target.ok()) << target.error().message;
   if (!target) return {};
-  target->begin({0.2F, 0.2F, 0.2F, 1.0F});
+  EXPECT_TRUE(target->begin({0.2F, 0.2F, 0.2F, 1.0F}).ok());
   draw({0, 0, width, height});
   return {width, height, target->readRgb()};
 }

@@ -14,7 +14,7 @@ void ContractTest::SetUp() {
   Result<RenderTarget> target = RenderTarget::create(kWidth, kHeight);
   ASSERT_TRUE(target.ok()) << target.error().message;
   target_.emplace(std::move(*target));
-  target_->begin(kBlack);
+  ASSERT_TRUE(target_->begin(kBlack).ok());
 }
 
 void ContractTest::TearDown() {
@@ -38,7 +38,7 @@ void ContractTest::expectNoTrace(const std::vector<PublicCall>& calls) {
   GlApp gl_app(41);
   for (const PublicCall& call : calls) {
     gl_app.randomise();
-    target().begin(kBlack);
+    ASSERT_TRUE(target().begin(kBlack).ok());
     const GlSnapshot objects = gl_app.objects();
     const GlSnapshot before = contextState();
     call.run();

@@ -22,7 +22,7 @@ class MapGolden : public MapRendererTest {
   static RgbPicture onPaper(const Draw& draw) {
     Result<RenderTarget> target = RenderTarget::create(kWhole.width, kWhole.height);
     EXPECT_TRUE(target.ok()) << target.error().message;
-    target->begin(kPaper);
+    EXPECT_TRUE(target->begin(kPaper).ok());
     EXPECT_TRUE(draw().ok());
     return {kWhole.width, kWhole.height, target->readRgb()};
   }

@@ -151,7 +151,9 @@ TEST_F(RenderTargetTest, SurvivesCallsWithoutAContext) {
   RenderTarget target = makeTarget();
   target.begin(kOrange);
   makeNoContextCurrent();
-  target.begin(kOrange);
+  const Status begun = target.begin(kOrange);
+  ASSERT_FALSE(begun.ok());
+  EXPECT_EQ(begun.error().code, ErrorCode::missing_context);
   EXPECT_THAT(target.readRgb(), IsEmpty());
   app().makeCurrent();
   EXPECT_THAT(pixelAt(target.readRgb(), 3, 3), ElementsAre(255, 128, 0)) << "it was not lost";

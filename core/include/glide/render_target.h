@@ -30,10 +30,12 @@ class GLIDE_API RenderTarget {
   int height() const;
 
   /// Binds it for drawing (GL_DRAW_FRAMEBUFFER) and clears it to the colour. The app binds its own
-  /// framebuffer again.
-  void begin(const Color& background);
+  /// framebuffer again. Errors as of create(), in a context that has nothing of it yet or where
+  /// none is current; then what was bound stays bound.
+  Status begin(const Color& background);
   /// What was drawn: rows of red, green, blue bytes, the uppermost first, no padding. What is bound
-  /// stays bound. Empty in another context than that of begin().
+  /// stays bound. Empty when the current context is not the one in which begin() succeeded last, or
+  /// there is none.
   std::vector<std::uint8_t> readRgb();
 
   /// The context is gone: forgets the names without a GL call.
