@@ -1,6 +1,7 @@
 #include "render/gl_render_state.h"
 
 #include "gpu/gl_query.h"
+#include "gpu/gl_raster_state.h"
 
 // ES 3.2, for the state of one draw buffer: called only in such contexts.
 #include <GLES3/gl32.h>
@@ -11,24 +12,26 @@ namespace {
 using Factors = std::array<GLint, 4>;
 using Equations = std::array<GLint, 2>;
 
-/// Whether each draw buffer has its own blending, which glBlendFunc would set for all of them.
-bool hasBlendingOfEachDrawBuffer() {
-  const GLint major = glInteger(GL_MAJOR_VERSION);
-  return major > 3 || (major == 3 && glInteger(GL_MINOR_VERSION) >= 2);
+void applyEquations(const Equations& equations) {
+  const bool of_each = hasStateOfEachDrawBuffer();
+  const GLenum rgb = nameOf(equations[0]);
+  const GLenum alpha = nameOf(equations[1]);
+  if (rgb != alpha) {
+    of_each ? glBlendEquationSeparatei(0, rgb, alpha) : glBlendEquationSeparate(rgb, alpha);
+  } else {  // the only functions that take an equation of KHR_blend_equation_advanced
+    of_each ? glBlendEquationi(0, rgb) : glBlendEquation(rgb);
+  }
 }
 
 void applyBlending(const Factors& factors, const Equations& equations) {
-  const GLenum equation_rgb = nameOf(equations[0]);
-  const GLenum equation_alpha = nameOf(equations[1]);
   const std::array<GLenum, 4> f{
       nameOf(factors[0]), nameOf(factors[1]), nameOf(factors[2]), nameOf(factors[3])};
-  if (hasBlendingOfEachDrawBuffer()) {
+  if (hasStateOfEachDrawBuffer()) {
     glBlendFuncSeparatei(0, f[0], f[1], f[2], f[3]);
-    glBlendEquationSeparatei(0, equation_rgb, equation_alpha);
   } else {
     glBlendFuncSeparate(f[0], f[1], f[2], f[3]);
-    glBlendEquationSeparate(equation_rgb, equation_alpha);
   }
+  applyEquations(equations);
 }
 
 }  // namespace

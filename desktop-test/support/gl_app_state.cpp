@@ -61,7 +61,11 @@ void GlApp::randomiseFragmentTests() {
   glColorMask(toGl(coin()), toGl(coin()), toGl(coin()), toGl(coin()));
   const auto factor = [this] { return pick({GL_ZERO, GL_ONE, GL_SRC_ALPHA, GL_DST_COLOR}); };
   glBlendFuncSeparate(factor(), factor(), factor(), factor());
-  glBlendEquationSeparate(pick({GL_FUNC_ADD, GL_MIN}), pick({GL_FUNC_SUBTRACT, GL_MAX}));
+  if (hasGlExtension("GL_KHR_blend_equation_advanced") && coin()) {
+    glBlendEquation(pick({GL_MULTIPLY_KHR, GL_SCREEN_KHR, GL_HSL_COLOR_KHR}));
+  } else {
+    glBlendEquationSeparate(pick({GL_FUNC_ADD, GL_MIN}), pick({GL_FUNC_SUBTRACT, GL_MAX}));
+  }
   glBlendColor(unit(), unit(), unit(), unit());
 }
 
