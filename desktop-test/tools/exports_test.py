@@ -82,14 +82,18 @@ class Similarity(unittest.TestCase):
 class Images(InFolder):
     def setUp(self):
         super().setUp()
-        self.frames = [replay_run.Frame(i, sample_run.time(i), "tracking", "direct", {}) for i in range(3)]
+        self.run_of([sample_run.time(i) for i in range(3)])
+
+    def run_of(self, times):
+        frames = [replay_run.Frame(i, time, "tracking", "direct", {}) for i, time in enumerate(times)]
+        self.replay = types.SimpleNamespace(frames=frames, source_frames=3)
 
     def names(self):
-        return [path.name for path in replay_images.find(self.folder, self.frames).values()]
+        return [path.name for path in replay_images.find(self.folder, self.replay).values()]
 
     def test_are_found_by_names_that_are_times(self):
         sample_run.write_images(self.folder)
-        self.assertEqual(self.names(), [f"{frame.t_ns}.png" for frame in self.frames])
+        self.assertEqual(self.names(), [f"{frame.t_ns}.png" for frame in self.replay.frames])
 
     def test_are_found_by_the_lists_of_datasets(self):
         (self.folder / "rgb").mkdir()
@@ -98,9 +102,27 @@ class Images(InFolder):
         self.assertEqual(self.names(), ["a.png"])
 
     def test_are_taken_in_natural_order_otherwise(self):
+        self.run_of([0, 33_333_333, 66_666_667])
         for name in ("img10.png", "img2.png", "img1.png", "notes.txt"):
             (self.folder / name).write_bytes(b"")
         self.assertEqual(self.names(), ["img1.png", "img2.png", "img10.png"])
+        self.run_of([0, 33_333_333])  # interrupted
+        self.assertEqual(self.names(), ["img1.png", "img2.png"])
+
+    def test_are_refused_where_order_does_not_tell_which_is_which(self):
+        for name in ("1.png", "2.png", "3.png"):
+            (self.folder / name).write_bytes(b"")
+        self.run_of([0, 66_666_667])  # the second could not be decoded
+        self.replay.frames.append(replay_run.Frame(2, 100_000_000, "tracking", "direct", {}))
+        with self.assertRaisesRegex(ValueError, "left images out"):
+            self.names()
+        self.run_of([66_666_667, 100_000_000])  # --start
+        with self.assertRaisesRegex(ValueError, "left images out"):
+            self.names()
+        (self.folder / "4.png").write_bytes(b"")  # --stride
+        self.run_of([0, 66_666_667])
+        with self.assertRaisesRegex(ValueError, "4 PNG.* took 3"):
+            self.names()
 
 
 class Rerun(InFolder):

@@ -35,13 +35,24 @@ def named_by_time(files):
     return None
 
 
-def find(folder, frames):
+def numbered(files, run):
+    """{time: file}: the first file is the frame of index 0. ValueError when the replay did not take every file, each
+    a frame: then nothing says which file a frame is. The times of such files are multiples of their period."""
+    if len(files) != run.source_frames:
+        raise ValueError(f"--images: {len(files)} PNG, JPEG or WebP images, but the replay took {run.source_frames}: "
+                         "names that are no times can be told apart only when it took them all")
+    last = run.frames[-1] if run.frames else None
+    period = last.t_ns / last.index if last and last.index else 0
+    if any(abs(frame.t_ns - frame.index * period) > 0.1 * period for frame in run.frames):
+        raise ValueError("--images: the replay left images out, and names that are no times do not tell which")
+    return {frame.t_ns: files[frame.index] for frame in run.frames if frame.index < len(files)}
+
+
+def find(folder, run):
     """{t_ns: file} for the frames whose image is there. By the list of the dataset, by names that are
-    times, else in natural order: the first file is the frame of index 0."""
+    times, else in natural order."""
     folder = pathlib.Path(folder)
     files = sorted((f for f in folder.iterdir() if f.suffix.lower() in EXTENSIONS), key=natural)
-    by_time = listed(folder) or named_by_time(files)
-    if by_time is None:
-        by_time = {frame.t_ns: files[frame.index] for frame in frames if frame.index < len(files)}
-    found = {frame.t_ns: by_time.get(frame.t_ns) for frame in frames}
+    by_time = listed(folder) or named_by_time(files) or numbered(files, run)
+    found = {frame.t_ns: by_time.get(frame.t_ns) for frame in run.frames}
     return {t: file for t, file in found.items() if file and file.suffix.lower() in EXTENSIONS and file.exists()}

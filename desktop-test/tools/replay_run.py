@@ -40,6 +40,7 @@ class Frame:
 class Run:
     camera: dict  # stats.json: config.camera
     name: str
+    source_frames: int  # images that were to be replayed
     frames: list
     trajectory: list
     keyframes: list
@@ -129,6 +130,7 @@ def read_run(folder):
     return Run(
         camera=stats["config"]["camera"],
         name=pathlib.Path(stats["source"]["path"]).name,
+        source_frames=stats["source"]["frames"],
         frames=read_frames(folder / "frames.csv"),
         trajectory=trajectory,
         keyframes=read_tum(folder / "keyframes.tum"),

@@ -41,7 +41,8 @@ def write(folder):
     """Writes the files; returns the folder."""
     folder = pathlib.Path(folder)
     tracked = [0, 2, 3, 4]
-    (folder / "stats.json").write_text(json.dumps({"source": {"path": "/data/walk"}, "config": {"camera": CAMERA}}))
+    source = {"path": "/data/walk", "frames": len(STATES)}
+    (folder / "stats.json").write_text(json.dumps({"source": source, "config": {"camera": CAMERA}}))
     (folder / "frames.csv").write_text(HEADER + "".join(
         f"{i},{time(i)},{state},none,{1.5 * i},0.0,100,{90 + i},2.5,0,7\n" for i, state in enumerate(STATES)))
     (folder / "trajectory.tum").write_text(tum((time(i), position(i)) for i in tracked))

@@ -95,7 +95,7 @@ def main():
     path = options.file or options.folder / "run.rrd"
     try:
         run = replay_run.read_run(options.folder)
-        images = replay_images.find(options.images, run.frames) if options.images else {}
+        images = replay_images.find(options.images, run) if options.images else {}
         convert(run, images, path)
     except (OSError, ValueError, KeyError) as fault:
         sys.exit(f"to_rerun.py: {fault}")
