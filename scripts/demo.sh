@@ -34,8 +34,25 @@ name_if_there() {
   [ ! -f "$2" ] || say "$(printf '%-11s %s%s' "$1" "$2" "${3:+ ($3)}")"
 }
 
+# setup_viewer [replay options]: what --viewer needs, when it is among them.
+setup_viewer() {
+  case " $* " in *" --viewer "*) setup viewer ;; esac
+}
+
+# refuse_output [replay options]: the demo has its own places.
+refuse_output() {
+  local option
+  for option in "$@"; do
+    case "$option" in
+      -o* | --output | --output=*) die "$option: the demo writes into out/demo" ;;
+    esac
+  done
+}
+
 demo() {
   local out="$root/out/demo" status=0
+  refuse_output "$@"
+  setup_viewer "$@"
   make_program glide-replay glide-synth
   mkdir -p "$out"
   rm -rf "$out/room" "$out/replay" "$out/demo.mp4"

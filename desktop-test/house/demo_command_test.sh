@@ -36,6 +36,7 @@ run_demo() {
     # shellcheck source=scripts/demo.sh
     . "$scripts/demo.sh"
     make_program() { :; }
+    setup() { echo "setup $*" >>"$CALLS"; }
     program() { echo "$work/${1#glide-}"; }
     demo "$@" 2>&1
   )
@@ -58,3 +59,13 @@ for status in 1 130; do
   [ "$ended" -eq "$status" ] || fail "the demo ends with $ended where replay ended with $status"
 done
 case "$said" in *report.html*) ;; *) fail "an interrupted demo does not name what it wrote: $said" ;; esac
+
+for option in "-o $work/x" "-o$work/x" "--output $work/x" "--output=$work/x"; do
+  # shellcheck disable=SC2086 # an option and its value
+  if said="$(run_demo 0 --stride 2 $option)"; then fail "the demo takes $option"; fi
+  case "$said" in *"out/demo"*) ;; *) fail "the demo does not say where it writes: $said" ;; esac
+  [ ! -e "$CALLS" ] || fail "the demo renders before it refuses $option: $(cat "$CALLS")"
+done
+
+run_demo 0 --viewer >/dev/null || fail "the demo fails with --viewer"
+[ "$(head -1 "$CALLS")" = "setup viewer" ] || fail "the demo does not install what --viewer needs: $(cat "$CALLS")"
