@@ -83,8 +83,19 @@ std::optional<SE3d> standingAt(const Place& place, const std::vector<Place>& pla
 
 void ArScene::show(const FrameResult& frame, const MapView& map) {
   anchors_.follow(map);
+  forgetGone();
   const bool is_tracked = frame.state == TrackingState::tracking;
   if (is_tracked && frame.stats.keyframe && ids_.size() < kMostCubes) placeOne(frame, map);
+}
+
+/// Cubes of a map that is gone take no room from those of the next.
+void ArScene::forgetGone() {
+  std::erase_if(ids_, [&](std::uint64_t id) {
+    const std::optional<Anchors::State> state = anchors_.state(id);
+    if (state && state->is_tracked) return false;
+    anchors_.destroy(id);
+    return true;
+  });
 }
 
 void ArScene::placeOne(const FrameResult& frame, const MapView& map) {

@@ -33,6 +33,7 @@ class ArScene {
   double edge() const { return edge_; }
 
  private:
+  void forgetGone();
   void placeOne(const FrameResult& frame, const MapView& map);
   bool isFree(const Vec3d& p_world) const;
 

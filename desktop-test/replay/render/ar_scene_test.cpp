@@ -60,5 +60,17 @@ TEST(ArScene, FollowsItsKeyframeWhenTheMapIsCorrectedAndEndsWithTheMap) {
   EXPECT_THAT(scene.cubes(), IsEmpty());
 }
 
+TEST(ArScene, SetsCubesDownInTheNextMapHoweverManyTheLastOneHad) {
+  MapView map = planeMap(-Vec3d::UnitY());
+  ArScene scene(camera());
+  for (int i = 0; i < 20; ++i) scene.show(planeKeyframe(), map);
+  const std::vector<Pose> before = scene.cubes();
+  EXPECT_THAT(before, SizeIs(6));
+  ++map.generation;
+  scene.show(planeKeyframe(), map);
+  ASSERT_THAT(scene.cubes(), SizeIs(1));
+  EXPECT_EQ(scene.cubes()[0].t_xyz, before[0].t_xyz);
+}
+
 }  // namespace
 }  // namespace glide::replay
