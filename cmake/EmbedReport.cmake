@@ -9,7 +9,8 @@ endif()
 if(status EQUAL 0)
   file(READ ${OUTPUT}.html page)
 elseif(NODE AND NPM)
-  message(WARNING "the page of report.html could not be built (${status}): glide-replay will write none")
+  message(WARNING "the page of report.html could not be built (${status}): glide-replay will write none; tried again in an hour, or "
+          "when ${OUTPUT}.built is removed")
 endif()
 file(WRITE "${OUTPUT}.new" "// Generated from ${FOLDER}; do not edit.
 #include \"replay/outputs/report_template.h\"
@@ -20,9 +21,9 @@ std::string_view reportTemplate() { return R\"page(${page})page\"; }
 
 }  // namespace glide::replay
 ")
-file(RENAME "${OUTPUT}.new" "${OUTPUT}")
-if(page OR NOT NODE OR NOT NPM)
-  file(TOUCH ${OUTPUT}.built)
-else()
-  file(REMOVE ${OUTPUT}.built)
+file(COPY_FILE "${OUTPUT}.new" "${OUTPUT}" ONLY_IF_DIFFERENT)  # what includes it need not be compiled again
+file(REMOVE "${OUTPUT}.new" "${OUTPUT}.failed")
+if(NODE AND NPM AND NOT page)
+  file(TOUCH "${OUTPUT}.failed")
 endif()
+file(TOUCH "${OUTPUT}.built")

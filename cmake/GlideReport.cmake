@@ -13,13 +13,21 @@ function(glide_embed_report target)
   endif()
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/src/*.js ${folder}/src/*/*.js ${folder}/*.json ${folder}/*.mjs
        ${folder}/style.css ${folder}/template.html)
+  if(EXISTS ${output}.failed)  # without a registry npm takes a while to find out: not in every build
+    file(TIMESTAMP ${output}.failed failed "%s" UTC)
+    string(TIMESTAMP now "%s" UTC)
+    math(EXPR seconds "${now} - ${failed}")
+    if(seconds GREATER 3600)
+      file(REMOVE ${output}.built)
+    endif()
+  endif()
   add_custom_command(
-    # The second file is there after success only: what failed is tried again by the next build.
-    OUTPUT ${output} ${output}.built
+    OUTPUT ${output}.built
+    BYPRODUCTS ${output}
     COMMAND ${CMAKE_COMMAND} -DNODE=${GLIDE_NODE} -DNPM=${GLIDE_NPM} -DFOLDER=${folder}
             -DCACHE=${PROJECT_SOURCE_DIR}/build/cache/report -DOUTPUT=${output} -P ${script}
     DEPENDS ${sources} ${script}
     COMMENT "Building the page of report.html"
     VERBATIM)
-  target_sources(${target} PRIVATE ${output})
+  target_sources(${target} PRIVATE ${output} ${output}.built)
 endfunction()
