@@ -103,6 +103,18 @@ std::optional<Failure> openGroundTruth(Job& job) {
   return std::nullopt;
 }
 
+/// For pictures all of them, for the map's colours the indirect ones, unless --set says which.
+void reportPoints(const Options& options, Config& config) {
+  for (const std::string& setting : options.settings) {
+    if (setting.rfind("tracked_points=", 0) == 0) return;
+  }
+  if (options.render || options.viewer) {
+    config.tracked_points = ReportPoints::on;
+  } else if (config.tracked_points == ReportPoints::off) {
+    config.tracked_points = ReportPoints::indirect;
+  }
+}
+
 std::string timeStamp() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -138,11 +150,7 @@ std::optional<Failure> openInputs(Job& job) {
 
 std::optional<Failure> startSession(Job& job) {
   const Options& options = job.options;
-  if (options.render || options.viewer) {
-    job.config.tracked_points = ReportPoints::on;
-  } else if (job.config.tracked_points == ReportPoints::off) {
-    job.config.tracked_points = ReportPoints::indirect;  // the map's colours
-  }
+  reportPoints(options, job.config);
   const Status valid = validate(job.config);
   if (!valid) {
     return Failure{kUnreadableInput, job.calibration.origin + ": " + valid.error().message};
