@@ -34,10 +34,12 @@ Status VideoRecorder::onFrame(const FrameMoment& moment) {
   Stopwatch watch;
   view_.show(moment);
   const PictureSize size{target_.width(), target_.height()};
-  target_.begin(kPaperColor);
+  const Status begun = target_.begin(kPaperColor);
+  if (!begun) return begun;
   const Status drawn = view_.draw(size, ViewControl());
   if (!drawn) return drawn;
   const RgbPicture picture{size.width, size.height, target_.readRgb()};
+  if (picture.rgb.empty()) return Error{ErrorCode::gl, "the picture cannot be read back"};
   drawn_ms_ += watch.lapMs();
   const Status written = sink_->write(picture, moment.record.result.t_ns);
   written_ms_ += watch.lapMs();
