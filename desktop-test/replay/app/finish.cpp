@@ -33,30 +33,34 @@ std::optional<double> metersPerUnit(const Job& job) {
   return error ? std::optional(error->scale) : std::nullopt;
 }
 
+/// One file that cannot be written keeps none of the others from it. The first failure.
 std::optional<Failure> writeAll(const std::filesystem::path& folder,
                                 const std::vector<std::pair<std::string, std::string>>& files) {
+  std::optional<Failure> first;
   for (const auto& [name, text] : files) {
     const Status status = writeFile(folder / name, text);
-    if (!status) return Failure{kUnreadableInput, status.error().message};
+    if (!status && !first) first = Failure{kUnreadableInput, status.error().message};
   }
-  return std::nullopt;
+  return first;
 }
 
+/// The first failure, those while the replay ran included.
 std::optional<Failure> endWatchers(const Job& job, const FrameCounts& counts) {
+  std::optional<Error> fault = job.watcher_fault;
   std::optional<Trajectory> truth;
   if (job.truth) truth = truthInFrame(*job.truth, RigFrame::camera, job.calibration.T_body_cam);
   for (const auto& watcher : job.watchers) {
     const Status status = watcher->onEnd(
         {job.run, job.trajectories, counts, job.accuracy, truth, job.output, job.colors});
-    if (!status) return Failure{kUnreadableInput, status.error().message};
+    if (!status && !fault) fault = status.error();
   }
-  return std::nullopt;
+  return fault ? std::optional(Failure{kUnreadableInput, fault->message}) : std::nullopt;
 }
 
 /// When it returns, the progress bar has ended, and signals end the program again.
 Status playFrames(Job& job) {
   ProgressDisplay progress(job.options.progress, job.run.source.frames);
-  const LoopObservers observers{job.log, progress, job.watchers};
+  const LoopObservers observers{job.log, progress, job.watchers, job.watcher_fault};
   AppInput input(job.options.input);
   const Player player{*job.session, input};
   const Interrupt interrupt;
@@ -124,17 +128,17 @@ std::optional<Failure> writeOutputs(Job& job) {
   (job.options.json ? std::cerr : std::cout)
       << summaryText({job.run, counts, job.accuracy, job.output, has_color}) << std::flush;
   if (job.options.json) std::cout << stats << std::flush;
-  if (auto failure = writeAll(job.output,
-                              {{"trajectory.tum", tumText(job.written.recomposed)},
-                               {"trajectory_live.tum", tumText(job.written.live)},
-                               {"keyframes.tum", tumText(job.written.keyframes)},
-                               {"frames.csv", framesCsv(job.run)},
-                               {"map.ply", mapPly(*job.run.map, job.colors)},
-                               {"map.glb", mapGlb(job.run, job.trajectories, job.colors)},
-                               {"stats.json", stats}})) {
-    return failure;
-  }
-  return endWatchers(job, counts);
+  const std::optional<Failure> failure =
+      writeAll(job.output,
+               {{"trajectory.tum", tumText(job.written.recomposed)},
+                {"trajectory_live.tum", tumText(job.written.live)},
+                {"keyframes.tum", tumText(job.written.keyframes)},
+                {"frames.csv", framesCsv(job.run)},
+                {"map.ply", mapPly(*job.run.map, job.colors)},
+                {"map.glb", mapGlb(job.run, job.trajectories, job.colors)},
+                {"stats.json", stats}});
+  const std::optional<Failure> watchers_failure = endWatchers(job, counts);
+  return failure ? failure : watchers_failure;
 }
 
 std::optional<Failure> judgeRun(const Job& job) {

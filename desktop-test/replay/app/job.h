@@ -44,6 +44,7 @@ struct Job {
   Estimates written;  ///< the trajectories in the frame that --trajectory-frame asks for
   std::optional<Accuracy> accuracy;
   PointColors colors;                                    ///< of the landmarks
+  std::optional<Error> watcher_fault;                    ///< of the first that had to be taken out
   std::vector<std::unique_ptr<FrameObserver>> watchers;  ///< die first: they may use the GL context
 };
 

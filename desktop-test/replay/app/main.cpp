@@ -9,19 +9,21 @@
 namespace glide::replay {
 namespace {
 
+/// Writes everything that can be written of a run.
+std::optional<Failure> endRun(Job& job) {
+  std::optional<Failure> first;
+  for (auto* step : {saveMap, evaluateRun, writeOutputs}) {
+    std::optional<Failure> failure = step(job);
+    if (!first) first = std::move(failure);
+  }
+  return first ? first : judgeRun(job);
+}
+
 std::optional<Failure> runSteps(Job& job) {
-  for (auto* step : {openInputs,
-                     startSession,
-                     openOutput,
-                     loadMap,
-                     makeWatchers,
-                     runFrames,
-                     saveMap,
-                     evaluateRun,
-                     writeOutputs}) {
+  for (auto* step : {openInputs, startSession, openOutput, loadMap, makeWatchers, runFrames}) {
     if (auto failure = step(job)) return failure;
   }
-  return judgeRun(job);
+  return endRun(job);
 }
 
 int fail(const Failure& failure, RunLog& log) {

@@ -31,6 +31,10 @@ std::optional<Failure> saveMap(Job& job) {
     if (job.options.map_out) job.log.say("there is no map to save");
     return std::nullopt;
   }
+  if (job.run.map->generation != job.session->map()->generation) {
+    if (job.options.map_out) job.log.say("the map was given up when it was lost: none is saved");
+    return std::nullopt;
+  }
   const Result<std::vector<std::byte>> bytes = job.session->saveMap();
   if (bytes) job.run.map_file_bytes = bytes.value().size();
   if (!job.options.map_out) return std::nullopt;

@@ -50,17 +50,30 @@ void noteCorrection(const FrameRecord& record, RunLog& log) {
 
 using Watchers = std::vector<std::unique_ptr<FrameObserver>>;
 
-Status showTo(const Watchers& watchers, const FrameMoment& moment) {
-  for (const auto& watcher : watchers) {
+/// The poses are worth more than a picture: who cannot go on is left behind.
+void showTo(const LoopObservers& observers, const FrameMoment& moment) {
+  std::erase_if(observers.watchers, [&](const std::unique_ptr<FrameObserver>& watcher) {
     const Status status = watcher->onFrame(moment);
-    if (!status) return status;
-  }
-  return Unit{};
+    if (status) return false;
+    observers.log.say(status.error().message + ": the replay goes on without it");
+    if (!observers.watcher_fault) observers.watcher_fault = status.error();
+    return true;
+  });
 }
 
 bool areContent(const Watchers& watchers) {
   return std::any_of(
       watchers.begin(), watchers.end(), [](const auto& one) { return one->wantsToStop(); });
+}
+
+/// The map at the end, or where it was given up and no frame was tracked in another, as it was
+/// before.
+std::shared_ptr<const MapView> finalMap(const std::shared_ptr<const MapView>& tracked,
+                                        const std::shared_ptr<const MapView>& end) {
+  if (!tracked || tracked->generation == end->generation) return end;
+  const auto kept = std::make_shared<MapView>(*tracked);
+  kept->resets = end->resets;
+  return kept;
 }
 
 Error refused(const Error& error) {
@@ -86,10 +99,10 @@ Status replayFrames(FrameFeed& feed,
     noteStateChange(record, state, observers.log);
     noteCorrection(record, observers.log);
     state = record.result.state;
+    if (state == TrackingState::tracking) run.map = player.session.map();
     observers.progress.show(record, player.session);
     const auto before = std::chrono::steady_clock::now();
-    const Status watched = showTo(observers.watchers, {record, fed->frame, player.session});
-    if (!watched) return watched;
+    showTo(observers, {record, fed->frame, player.session});
     feed.excuse(std::chrono::steady_clock::now() - before);
     if (areContent(observers.watchers)) break;
   }
@@ -97,7 +110,7 @@ Status replayFrames(FrameFeed& feed,
   run.wall_s = wall.lapMs() * 1e-3;
   run.dropped = feed.dropped();
   run.interrupted = feed.wasInterrupted();
-  run.map = player.session.map();
+  run.map = finalMap(run.map, player.session.map());
   return Unit{};
 }
 

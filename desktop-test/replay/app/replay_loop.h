@@ -10,6 +10,7 @@
 #include "glide/session.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace glide::replay {
@@ -20,16 +21,18 @@ struct Player {
   AppInput& input;
 };
 
-/// What the loop tells while it runs.
+/// What the loop tells while it runs. A watcher that fails is taken out; the first such error is
+/// kept.
 struct LoopObservers {
   RunLog& log;
   ProgressDisplay& progress;
-  const std::vector<std::unique_ptr<FrameObserver>>& watchers;
+  std::vector<std::unique_ptr<FrameObserver>>& watchers;
+  std::optional<Error>& watcher_fault;
 };
 
 /// Gives every frame of the feed to the session and fills run.frames, dropped, interrupted, map and
-/// wall_s. An error when a watcher has one, the GL has no such input, and when the session refuses
-/// a frame, which is a bug or a full memory.
+/// wall_s. An error when the GL has no such input, and when the session refuses a frame, which is a
+/// bug or a full memory.
 Status replayFrames(FrameFeed& feed,
                     const Player& player,
                     const LoopObservers& observers,

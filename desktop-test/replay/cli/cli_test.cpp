@@ -57,21 +57,6 @@ class ReplayProgram : public testing::Test {
   const ScratchFolder folder_;
 };
 
-/// frames.csv without the columns that tell times.
-std::string withoutTimes(const std::string& csv) {
-  constexpr std::size_t kFirstTime = 5, kLastTime = 12;
-  std::string result;
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    const auto fields = splitFields(line, ",");
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (i < kFirstTime || i > kLastTime) result += std::string(fields[i]) + ",";
-    }
-    result += "\n";
-  }
-  return result;
-}
-
 TEST_F(ReplayProgram, TracksARenderedSequenceAndWritesAllFiles) {
   const ProgramResult result =
       run({dataset().string(), "--deterministic", "--require-tracked", "1"});
@@ -194,6 +179,44 @@ TEST_F(ReplayProgram, EndsWithFiveWhenTooLittleIsTracked) {
   EXPECT_EQ(result.exit_code, 5) << result.err;
   EXPECT_THAT(result.err, HasSubstr("is below the required 0.9000"));
   EXPECT_EQ(run({half.string(), "--deterministic"}).exit_code, 0);
+}
+
+TEST_F(ReplayProgram, KeepsWhatWasTrackedWhenItEndsInTheDark) {
+  const fs::path half = copy();
+  blank(half, kRenderedFrames / 2);
+  const fs::path saved = folder_.path() / "half.glidemap";
+  const ProgramResult result = run({half.string(), "--deterministic", "--map-out", saved.string()});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("the map was given up when it was lost: none is saved"));
+  EXPECT_FALSE(fs::exists(saved));
+  const auto stats = nlohmann::json::parse(output("stats.json"));
+  EXPECT_GT(stats["frames"]["tracked"], 3);
+  EXPECT_EQ(stats["map"]["resets"], 1);
+  const auto truth = readDataLines(out() / "trajectory.tum");
+  EXPECT_EQ(truth->size(), stats["frames"]["tracked"]);
+  EXPECT_GE(readDataLines(out() / "keyframes.tum")->size(), 2U);
+  EXPECT_THAT(output("map.ply"), Not(HasSubstr("element vertex 0\n")));
+}
+
+TEST_F(ReplayProgram, LeavesTheTrackedPointsThatAreSetAlone) {
+  const auto reported = [&](const std::string& more) {
+    run({dataset().string(), "--max-frames", "2", "--no-report", more});
+    return nlohmann::json::parse(output("stats.json"))["config"]["tracked_points"];
+  };
+  EXPECT_EQ(reported("--deterministic"), "indirect");
+  EXPECT_EQ(reported("--set tracked_points=off"), "off");
+}
+
+TEST_F(ReplayProgram, WritesTheOtherFilesWhereOneCannotBeWritten) {
+  for (const char* name : {"groundtruth.tum", "trajectory.tum"}) {
+    fs::create_directories(out() / name);
+  }
+  const ProgramResult result =
+      run({dataset().string(), "--deterministic", "--map-out", (out() / "no" / "x").string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("cannot create"));
+  EXPECT_EQ(nlohmann::json::parse(output("stats.json"))["frames"]["in"], kRenderedFrames);
+  EXPECT_THAT(output("keyframes.tum"), HasSubstr("\n"));
 }
 
 TEST_F(ReplayProgram, GoesOnPastATruncatedImageAndNamesIt) {

@@ -126,12 +126,13 @@ TEST_F(Rendering, ChangesNothingOfTheResults) {
     const ProgramResult result = run(all);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     std::string joined;
-    for (const char* name : {"trajectory.tum", "trajectory_live.tum", "keyframes.tum", "map.ply"}) {
-      const auto text = readFile(place(std::string("out/") + name));
+    for (const std::string name :
+         {"trajectory.tum", "trajectory_live.tum", "keyframes.tum", "map.ply", "map.glb"}) {
+      const auto text = readFile(place("out/" + name));
       EXPECT_TRUE(text.ok());
       joined += text ? *text : "";
     }
-    return joined;
+    return joined + withoutTimes(*readFile(place("out/frames.csv")));
   };
   EXPECT_EQ(outputs({}), outputs({"--render", place("frames")}));
 }
@@ -146,6 +147,19 @@ TEST_F(Rendering, LeavesAVideoOfWhatWasSeenWhenItIsInterrupted) {
   const cv::VideoCapture video(file, cv::CAP_FFMPEG);
   EXPECT_GE(video.get(cv::CAP_PROP_FRAME_COUNT), 2);
   EXPECT_LT(video.get(cv::CAP_PROP_FRAME_COUNT), kLong);
+}
+
+TEST_F(Rendering, LosesNothingButThePicturesWhereTheyCannotBeWritten) {
+  fs::create_directories(place("frames/000005.png.part"));
+  const ProgramResult result = run({"--deterministic", "--render", place("frames")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("cannot be written: the replay goes on without it"));
+  EXPECT_TRUE(fs::exists(place("frames/000004.png")));
+  EXPECT_FALSE(fs::exists(place("frames/000006.png")));
+  EXPECT_EQ(readDataLines(place("out/frames.csv"))->size(), kRenderedFrames + 1);
+  for (const char* name : {"trajectory.tum", "map.glb", "stats.json", "log.txt"}) {
+    EXPECT_GT(fs::file_size(place(std::string("out/") + name)), 0U) << name;
+  }
 }
 
 TEST_F(Rendering, LeavesItsSourceAlone) {

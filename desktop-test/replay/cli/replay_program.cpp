@@ -3,6 +3,7 @@
 #include "replay/common/text.h"
 
 #include <cstdlib>
+#include <sstream>
 #include <sys/wait.h>
 
 namespace glide::replay {
@@ -22,6 +23,20 @@ ProgramResult runReplay(const std::vector<std::string>& arguments,
   std::string command = GLIDE_REPLAY_PROGRAM;
   for (const std::string& argument : arguments) command += " " + argument;
   return runShell(command, folder);
+}
+
+std::string withoutTimes(const std::string& csv) {
+  constexpr std::size_t kFirstTime = 5, kLastTime = 12;
+  std::string result;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    const auto fields = splitFields(line, ",");
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (i < kFirstTime || i > kLastTime) result += std::string(fields[i]) + ",";
+    }
+    result += "\n";
+  }
+  return result;
 }
 
 }  // namespace glide::replay

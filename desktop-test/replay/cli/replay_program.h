@@ -20,4 +20,7 @@ ProgramResult runShell(const std::string& command, const std::filesystem::path& 
 ProgramResult runReplay(const std::vector<std::string>& arguments,
                         const std::filesystem::path& folder);
 
+/// frames.csv without the columns that tell times.
+std::string withoutTimes(const std::string& csv);
+
 }  // namespace glide::replay

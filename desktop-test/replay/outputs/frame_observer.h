@@ -36,9 +36,9 @@ struct FinishedRun {
 class FrameObserver {
  public:
   virtual ~FrameObserver() = default;
-  /// An error ends the replay.
+  /// An error takes it out of the replay, which goes on, writes everything else and fails then.
   virtual Status onFrame(const FrameMoment& moment) = 0;
-  /// Called once, after the last frame, also when the replay was interrupted.
+  /// Called once, after the last frame, also when the replay was interrupted; not after an error.
   virtual Status onEnd(const FinishedRun& finished) = 0;
   /// Whether a person has seen enough: the replay ends after this frame, with everything written.
   virtual bool wantsToStop() const { return false; }

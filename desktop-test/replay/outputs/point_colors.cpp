@@ -25,6 +25,7 @@ std::optional<Rgb8> colorAt(const SourceFrame& frame, float u, float v) {
 void PointColors::add(std::uint64_t map_generation,
                       const SourceFrame& frame,
                       std::span<const TrackedPoint> points) {
+  if (points.empty()) return;
   if (map_generation != map_generation_) sums_.clear();
   map_generation_ = map_generation;
   for (const TrackedPoint& point : points) {

@@ -23,8 +23,8 @@ inline constexpr Rgb8 kUnseenColor{128, 128, 128};
 /// The colours of landmarks: the mean of the pixels that showed them.
 class PointColors {
  public:
-  /// Points that were tracked in a frame. Of another map (MapView::generation) than before: the
-  /// landmarks are others, and what is known of the old ones is forgotten.
+  /// Points that were tracked in a frame. With the first ones of another map (MapView::generation)
+  /// than before, whose landmarks are others, what is known of the old ones is forgotten.
   void add(std::uint64_t map_generation,
            const SourceFrame& frame,
            std::span<const TrackedPoint> points);

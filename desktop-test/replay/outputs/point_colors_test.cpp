@@ -51,11 +51,14 @@ TEST(PointColors, IgnoreOutliersAndWhatLiesOutside) {
   EXPECT_EQ(colors.of(8), kUnseenColor);
 }
 
-TEST(PointColors, AreForgottenWithTheirMap) {
+TEST(PointColors, AreForgottenWithTheFirstPointsOfAnotherMap) {
   PointColors colors;
   const std::vector<TrackedPoint> points{pointAt(7, 2.0F, 1.0F)};
   colors.add(kMap, makeFrame(true), points);
-  colors.add(kMap + 1, makeFrame(true), {});
+  colors.add(kMap + 1, makeFrame(true), {});  // given up: it may have been the last
+  EXPECT_NE(colors.of(7), kUnseenColor);
+  const std::vector<TrackedPoint> others{pointAt(8, 2.0F, 1.0F)};
+  colors.add(kMap + 1, makeFrame(true), others);
   EXPECT_EQ(colors.of(7), kUnseenColor);
 }
 

@@ -30,10 +30,11 @@ struct RunRecord {
   int dropped = 0;           ///< frames that came while the tracker was busy (realtime only)
   bool interrupted = false;  ///< ended by a signal before the source did
   BackendInfo backend;
-  std::shared_ptr<const MapView> map;  ///< at the end, everything mapped; never null
-  std::size_t map_file_bytes = 0;      ///< of that map, when it is saved; 0 when there is none
-  double startup_ms = 0.0;             ///< from the start of the program's work to the first frame
-  double wall_s = 0.0;                 ///< of the frame loop, decoding included
+  /// At the end, everything mapped; the last one that frames were tracked in. Never null.
+  std::shared_ptr<const MapView> map;
+  std::size_t map_file_bytes = 0;  ///< of that map, when it is saved; 0 when there is none
+  double startup_ms = 0.0;         ///< from the start of the program's work to the first frame
+  double wall_s = 0.0;             ///< of the frame loop, decoding included
 };
 
 }  // namespace glide::replay
