@@ -228,10 +228,9 @@ void Session::Impl::onLost() {
 
 std::shared_ptr<const MapSnapshot> Session::Impl::currentMap() {
   std::shared_ptr<const MapSnapshot> mapped = back_end_.snapshot();
-  if (last_keyframe_ && isStartRefused(*mapped)) {
-    generation_ = mapped->generation();
-    forgetMap();
-  }
+  // Without a map of its own, too: a mapper that ran out of memory has begun another.
+  const bool is_behind = mapped->generation() > generation_;
+  if (is_behind || (last_keyframe_ && isStartRefused(*mapped))) giveUpStart(*mapped);
   return mapped->generation() == generation() ? mapped : no_map_;
 }
 

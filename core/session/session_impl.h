@@ -78,6 +78,7 @@ class Session::Impl {
   /// The mapper found that the two views of the start are no geometry, or ran out of memory and
   /// began anew: there is no map to track in.
   bool isStartRefused(const MapSnapshot& map) const;
+  void giveUpStart(const MapSnapshot& map);
   /// The mapper has not published the map that was started or loaded last.
   bool isMapPending(const Frame& frame) const { return frame.map->generation() < generation_; }
   FrameResult waitForMap(const Frame& frame) const;

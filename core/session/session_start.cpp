@@ -34,7 +34,7 @@ void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame*
   ++generation_;
   const std::shared_ptr<const MapSnapshot> mapped = back_end_.snapshot();
   tracked->ok = !isStartRefused(*mapped);
-  if (!tracked->ok) return;
+  if (!tracked->ok) return giveUpStart(*mapped);
   const MapSnapshot& map = mapped->generation() == generation_ ? *mapped : *no_map_;
   tracked->tracker = TrackerKind::indirect;
   tracked->confidence = 1.0;
@@ -45,6 +45,12 @@ void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame*
   lost_frames_ = 0;
   motion_.reset();
   motion_.update(frame.t_ns, tracked->pose, map);
+}
+
+// The mapper counts refused maps, too: the next one to be shown is the one after.
+void Session::Impl::giveUpStart(const MapSnapshot& map) {
+  generation_ = map.generation();
+  forgetMap();
 }
 
 bool Session::Impl::isStartRefused(const MapSnapshot& map) const {
