@@ -35,7 +35,7 @@ class Net {
  public:
   struct Point {
     std::optional<PointPx> at;
-    InkColor color{};
+    PackedColor color{};
     double distance = 0.0;
   };
 
@@ -61,7 +61,7 @@ class Net {
     const std::array<const Point*, 4> corners{
         &at(row, column), &at(row, column + 1), &at(row + 1, column), &at(row + 1, column + 1)};
     std::array<PointPx, 4> places{};
-    std::array<InkColor, 4> colors{};
+    std::array<PackedColor, 4> colors{};
     double distance = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (!corners[i]->at) return;
@@ -112,7 +112,7 @@ void ArInk::addAxes(double length) {
   const Vec3d origin_cam = T_cam_world_ * Vec3d(Vec3d::Zero());
   const std::array<Color, 3> colors{kAxisX, kAxisY, kAxisZ};
   for (int i = 0; i < 3; ++i) {
-    const InkColor color = toInk(colors[static_cast<std::size_t>(i)]);
+    const PackedColor color = packColor(colors[static_cast<std::size_t>(i)]);
     const Vec3d end_cam = T_cam_world_ * Vec3d(length * Vec3d::Unit(i));
     const double radius = kAxisRadius * length;
     addLine({origin_cam, end_cam, radius, 0.0, color}, kAxisParts);
@@ -156,7 +156,7 @@ void ArInk::addCube(const Cube& cube) {
              cube.inCamera(edge.to),
              kEdgeRadius * cube.edge,
              piece,
-             toInk(kEdgeColor)},
+             packColor(kEdgeColor)},
             kEdgeParts);
   }
 }
@@ -167,7 +167,7 @@ void ArInk::addFace(const Cube& cube, const CubeFace& face) {
     for (int column = 0; column <= kFaceParts; ++column) {
       const Vec3d point = face.at(grid(column, kFaceParts), grid(row, kFaceParts));
       const Vec3d p_cam = cube.inCamera(point);
-      net.add({lens_.project(p_cam), toInk(cubeColor(point, face.normal)), p_cam.norm()});
+      net.add({lens_.project(p_cam), packColor(cubeColor(point, face.normal)), p_cam.norm()});
     }
   }
   net.forEachMesh([this](const InkShape& quad, double distance) {
@@ -186,7 +186,7 @@ void ArInk::addShadow(const Cube& cube, std::vector<InkShape>* shapes) const {
       const double z = side * (grid(row, kShadowParts) - 0.5);
       const auto dark = static_cast<float>(cubeShadow(x, z));
       const Vec3d p_cam = cube.inCamera({x, 0.0, z});
-      net.add({lens_.project(p_cam), toInk({0.0F, 0.0F, 0.0F, dark}), p_cam.norm()});
+      net.add({lens_.project(p_cam), packColor({0.0F, 0.0F, 0.0F, dark}), p_cam.norm()});
     }
   }
   net.forEachMesh([shapes](const InkShape& quad, double) { shapes->push_back(quad); });

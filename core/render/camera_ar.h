@@ -45,7 +45,7 @@ class ArInk {
     Vec3d from_cam, to_cam;
     double radius = 0.0;
     double nearer = 0.0;  ///< by how much it lies in front of the faces that it bounds
-    InkColor color{};
+    PackedColor color{};
   };
   /// A cube in the camera's axes.
   struct Cube {

@@ -3,8 +3,6 @@
 #include "render/render_program.h"
 #include "render/render_visit.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace glide {
@@ -27,7 +25,7 @@ void describeFloats(GLuint location, GLint count, std::size_t offset) {
 
 void describeColors() {
   for (GLuint i = 0; i < kCorners; ++i) {
-    const std::size_t offset = offsetof(InkShape, colors) + i * sizeof(InkColor);
+    const std::size_t offset = offsetof(InkShape, colors) + i * sizeof(PackedColor);
     glEnableVertexAttribArray(kColors + i);
     glVertexAttribFormat(kColors + i, 4, GL_UNSIGNED_BYTE, GL_TRUE, static_cast<GLuint>(offset));
     glVertexAttribBinding(kColors + i, 0);
@@ -55,36 +53,28 @@ InkShape roundShape(const InkLine& line, float hole) {
 
 }  // namespace
 
-InkColor toInk(const Color& color) {
-  InkColor ink{};
-  std::transform(color.begin(), color.end(), ink.begin(), [](float value) {
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
-  });
-  return ink;
-}
-
-InkColor withAlpha(InkColor color, float alpha) {
-  color[3] = toInk({0.0F, 0.0F, 0.0F, alpha})[3];
+PackedColor withAlpha(PackedColor color, float alpha) {
+  color[3] = packChannel(alpha);
   return color;
 }
 
-InkShape inkLine(const InkLine& line, InkColor from, InkColor to) {
+InkShape inkLine(const InkLine& line, PackedColor from, PackedColor to) {
   InkShape shape = roundShape(line, kNoHole);
   shape.colors = {from, to, from, to};
   return shape;
 }
 
-InkShape inkDisc(const PointPx& center, float radius, InkColor color) {
+InkShape inkDisc(const PointPx& center, float radius, PackedColor color) {
   return inkLine({center, center, radius}, color, color);
 }
 
-InkShape inkRing(const PointPx& center, float radius, float thickness, InkColor color) {
+InkShape inkRing(const PointPx& center, float radius, float thickness, PackedColor color) {
   InkShape shape = roundShape({center, center, radius}, radius - thickness);
   shape.colors.fill(color);
   return shape;
 }
 
-InkShape inkQuad(const std::array<PointPx, 4>& corners, const std::array<InkColor, 4>& colors) {
+InkShape inkQuad(const std::array<PointPx, 4>& corners, const std::array<PackedColor, 4>& colors) {
   InkShape shape;
   shape.ab = {corners[0][0], corners[0][1], corners[1][0], corners[1][1]};
   shape.cd = {corners[2][0], corners[2][1], corners[3][0], corners[3][1]};

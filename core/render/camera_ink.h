@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/camera_layout.h"
+#include "render/packed_color.h"
 
 #include "gpu/gl_objects.h"
 
@@ -9,11 +10,8 @@
 
 namespace glide {
 
-/// Red, green, blue, alpha.
-using InkColor = std::array<std::uint8_t, 4>;
-InkColor toInk(const Color& color);
-/// The same with another alpha, 0 to 1.
-InkColor withAlpha(InkColor color, float alpha);
+/// The same colour with another alpha, 0 to 1.
+PackedColor withAlpha(PackedColor color, float alpha);
 
 /// One shape over the picture, in px of its rectangle: an instance of
 /// shaders/render_camera_ink.vert.
@@ -23,7 +21,7 @@ struct InkShape {
   std::array<float, 4> ab{};  ///< stroke: both ends; quad: the first two corners
   /// Stroke: its radius, and the radius of a hole (negative: none); quad: the other two corners.
   std::array<float, 4> cd{};
-  std::array<InkColor, 4> colors{};  ///< stroke: at both ends; quad: at the corners
+  std::array<PackedColor, 4> colors{};  ///< stroke: at both ends; quad: at the corners
   Kind kind = Kind::stroke;
 };
 static_assert(sizeof(InkShape) == 52, "the layout that CameraInk tells OpenGL");
@@ -33,11 +31,11 @@ struct InkLine {
   PointPx from{}, to{};
   float radius = 1.0F;
 };
-InkShape inkLine(const InkLine& line, InkColor from, InkColor to);
-InkShape inkDisc(const PointPx& center, float radius, InkColor color);
-InkShape inkRing(const PointPx& center, float radius, float thickness, InkColor color);
+InkShape inkLine(const InkLine& line, PackedColor from, PackedColor to);
+InkShape inkDisc(const PointPx& center, float radius, PackedColor color);
+InkShape inkRing(const PointPx& center, float radius, float thickness, PackedColor color);
 /// Corners row by row: upper left, upper right, lower left, lower right.
-InkShape inkQuad(const std::array<PointPx, 4>& corners, const std::array<InkColor, 4>& colors);
+InkShape inkQuad(const std::array<PointPx, 4>& corners, const std::array<PackedColor, 4>& colors);
 
 /// Draws shapes, each over the ones before, lines and discs anti-aliased. Lives in one share group;
 /// its functions are called inside of a RenderVisit.

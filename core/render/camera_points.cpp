@@ -57,7 +57,7 @@ void PointInk::appendTrail(const TrackedPoint& point,
                            const PointTrails& trails,
                            std::vector<InkShape>* shapes) const {
   const PointTrails::Trail trail = trails.of(point.landmark);
-  const InkColor color = toInk(pointColor(point.residual, tracker));
+  const PackedColor color = packColor(pointColor(point.residual, tracker));
   for (std::size_t i = 1; i < trail.count; ++i) {
     const auto& newer = trail.uv[i - 1];
     const auto& older = trail.uv[i];
@@ -71,15 +71,15 @@ void PointInk::appendTrail(const TrackedPoint& point,
 
 void PointInk::appendPoint(const TrackedPoint& point, std::vector<InkShape>* shapes) const {
   const PointPx at = layout.place({point.u, point.v}, camera);
-  const InkColor color = toInk(pointColor(point.residual, tracker));
+  const PackedColor color = packColor(pointColor(point.residual, tracker));
   if (point.inlier) {
-    shapes->push_back(inkDisc(at, radius() + kShadePx, toInk(kShade)));
+    shapes->push_back(inkDisc(at, radius() + kShadePx, packColor(kShade)));
     shapes->push_back(inkDisc(at, radius(), color));
     return;
   }
   const float outer = kRingRadius * radius();
   const float width = kRingWidth * radius();
-  shapes->push_back(inkRing(at, outer + kShadePx, width + kShadePx, toInk(kShade)));
+  shapes->push_back(inkRing(at, outer + kShadePx, width + kShadePx, packColor(kShade)));
   shapes->push_back(inkRing(at, outer, width, color));
 }
 

@@ -12,18 +12,10 @@
 #include "geometry/pose_conversion.h"
 
 #include <optional>
-#include <string>
 #include <utility>
 
 namespace glide {
 namespace {
-
-Status checkViewport(const Viewport& viewport) {
-  if (viewport.width > 0 && viewport.height > 0) return Unit{};
-  return Error{ErrorCode::invalid_argument,
-               "viewport of " + std::to_string(viewport.width) + "x" +
-                   std::to_string(viewport.height) + " px"};
-}
 
 /// What lies in one share group.
 struct CameraObjects {

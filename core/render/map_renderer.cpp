@@ -20,14 +20,6 @@ struct GlSide {
   MapPainter painter;
 };
 
-Status checkTarget(const Viewport& viewport) {
-  if (viewport.width <= 0 || viewport.height <= 0)
-    return Error{ErrorCode::invalid_argument, "the viewport is empty"};
-  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    return Error{ErrorCode::invalid_argument, "the framebuffer that is bound is not complete"};
-  return Unit{};
-}
-
 }  // namespace
 
 class MapRenderer::Impl {
@@ -39,7 +31,8 @@ class MapRenderer::Impl {
 
   Status draw(const MapPainter::Look& look) {
     if (Status ready = enterContext(); !ready) return ready;
-    if (Status target = checkTarget(look.view.viewport); !target) return target;
+    if (Status viewport = checkViewport(look.view.viewport); !viewport) return viewport;
+    if (Status target = checkFramebuffer(); !target) return target;
     const RenderVisit visit(&gl_->home, policy_);
     const Result<bool> uploaded = gl_->painter.update(&scene);
     if (!uploaded) return uploaded.error();

@@ -3,6 +3,8 @@
 // ES 3.2, for the state of one draw buffer: called only in such contexts.
 #include <GLES3/gl32.h>
 
+#include <string>
+
 namespace glide {
 
 RenderVisit::RenderVisit(GlHome* home, GlStatePolicy policy)
@@ -16,6 +18,13 @@ RenderVisit::RenderVisit(GlHome* home, GlStatePolicy policy)
 Status checkFramebuffer() {
   if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return Unit{};
   return Error{ErrorCode::invalid_argument, "no complete framebuffer is bound for drawing"};
+}
+
+Status checkViewport(const Viewport& viewport) {
+  if (viewport.width > 0 && viewport.height > 0) return Unit{};
+  return Error{ErrorCode::invalid_argument,
+               "viewport of " + std::to_string(viewport.width) + "x" +
+                   std::to_string(viewport.height) + " px"};
 }
 
 void setBlending(Blending blending) {

@@ -5,6 +5,7 @@
 #include "gpu/gl_home.h"
 #include "gpu/gl_raster_state.h"
 
+#include "glide/render_types.h"
 #include "glide/result.h"
 
 namespace glide {
@@ -26,6 +27,9 @@ class RenderVisit {
 /// invalid_argument when what is bound for drawing is no complete framebuffer, such as that of a
 /// context without a surface: drawing would raise an error.
 Status checkFramebuffer();
+
+/// invalid_argument, with its size, for one without pixels.
+Status checkViewport(const Viewport& viewport);
 
 /// glEnable or glDisable (GL_BLEND) of draw buffer 0.
 enum class Blending { off, on };

@@ -1,26 +1,11 @@
 #pragma once
 
-#include "glide/render_types.h"
+#include "render/packed_color.h"
 
 #include <array>
-#include <cstdint>
 
 // What the shaders of the map (shaders/render_map_*) read, as it lies in the buffers.
 namespace glide {
-
-/// Red, green, blue, alpha from 0 to 255.
-using PackedColor = std::array<std::uint8_t, 4>;
-
-inline std::uint8_t packChannel(float value) {
-  constexpr float kMax = 255.0F;
-  const float scaled = value * kMax + 0.5F;  // rounded
-  return static_cast<std::uint8_t>(scaled < 0.0F ? 0.0F : (scaled > kMax ? kMax : scaled));
-}
-
-inline PackedColor packColor(const Color& color) {
-  return {
-      packChannel(color[0]), packChannel(color[1]), packChannel(color[2]), packChannel(color[3])};
-}
 
 /// A landmark.
 struct LandmarkRecord {

@@ -2,10 +2,11 @@
 
 #include "replay/outputs/glb_writer.h"
 
+#include "render/packed_color.h"
+
 #include "glide/map_renderer.h"
 #include "glide/render_types.h"
 
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -19,8 +20,8 @@ Point3f toFloat(const Vec3d& p) {
 }
 
 Rgb8 toRgb8(const Color& color) {
-  const auto byte = [](float share) { return static_cast<std::uint8_t>(std::lround(255 * share)); };
-  return {byte(color[0]), byte(color[1]), byte(color[2])};
+  const PackedColor packed = packColor(color);
+  return {packed[0], packed[1], packed[2]};
 }
 
 std::vector<Primitive> landmarkPoints(const MapView& map, const PointColors& colors) {

@@ -1,8 +1,9 @@
 #include "replay/render/timeline.h"
 
+#include "render/packed_color.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace glide::replay {
@@ -27,10 +28,10 @@ Color colorOf(std::size_t kind) {
 }
 
 void fill(RgbPicture& picture, int column, int first_row, int end_row, const Color& color) {
-  const std::array<std::uint8_t, 3> bytes = bytesOf(color);
+  const PackedColor bytes = packColor(color);
   for (int row = first_row; row < end_row; ++row) {
     const std::ptrdiff_t pixel = std::ptrdiff_t{row} * picture.width + column;
-    std::copy(bytes.begin(), bytes.end(), picture.rgb.begin() + 3 * pixel);
+    std::copy_n(bytes.begin(), 3, picture.rgb.begin() + 3 * pixel);
   }
 }
 
@@ -48,13 +49,6 @@ void fillShares(RgbPicture& picture, int column, const std::array<int, kKinds>& 
 }
 
 }  // namespace
-
-std::array<std::uint8_t, 3> bytesOf(const Color& color) {
-  const auto byte = [](float part) {
-    return static_cast<std::uint8_t>(std::lround(part * 255.0F));
-  };
-  return {byte(color[0]), byte(color[1]), byte(color[2])};
-}
 
 Rgb viewOf(const RgbPicture& picture) {
   return {picture.rgb.data(), picture.width, picture.height, std::ptrdiff_t{3} * picture.width};

@@ -3,7 +3,6 @@
 #include "glide/frame.h"
 #include "glide/render_types.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,9 +13,6 @@ struct RgbPicture {
   int width = 0, height = 0;  ///< px
   std::vector<std::uint8_t> rgb;
 };
-
-/// The bytes of a public colour, without its alpha.
-std::array<std::uint8_t, 3> bytesOf(const Color& color);
 
 /// The same pixels for the renderers; valid while the picture is.
 Rgb viewOf(const RgbPicture& picture);

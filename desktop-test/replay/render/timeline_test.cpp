@@ -1,5 +1,7 @@
 #include "replay/render/timeline.h"
 
+#include "render/packed_color.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,6 +11,11 @@ namespace glide::replay {
 namespace {
 
 using Bytes = std::array<std::uint8_t, 3>;
+
+Bytes bytesOf(const Color& color) {
+  const PackedColor packed = packColor(color);
+  return {packed[0], packed[1], packed[2]};
+}
 
 FrameResult tracked(TrackerKind tracker) {
   FrameResult frame;

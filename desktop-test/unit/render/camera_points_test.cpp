@@ -52,7 +52,7 @@ TEST(PointInk, DrawsAnInlierAsADiscOnItsShade) {
     EXPECT_FLOAT_EQ(shape.ab[1], 41.0F);
     EXPECT_LT(shape.cd[1], 0.0F) << "a hole";
   }
-  EXPECT_EQ(shapes[1].colors[0], toInk(pointColor(0.0F, TrackerKind::direct)));
+  EXPECT_EQ(shapes[1].colors[0], packColor(pointColor(0.0F, TrackerKind::direct)));
 }
 
 TEST(PointInk, DrawsAnOutlierHollow) {
