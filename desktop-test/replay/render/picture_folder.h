@@ -10,7 +10,7 @@
 namespace glide::replay {
 
 /// A folder of 000000.png, 000001.png and so on, one picture a frame, each whole or not there.
-/// Those of an earlier run, which a file .glide-pictures counts, are replaced or removed; other files
+/// Those of an earlier run, which .glide-pictures counts, are replaced or removed; other files
 /// stay, and a folder with other pictures of such names is refused.
 class PictureFolder : public FrameSink {
  public:
