@@ -40,7 +40,7 @@ Status LiveViewer::draw() {
   const PictureSize size = window_.size();
   if (size.width == 0 || size.height == 0) return Unit{};
   window_.begin(kPaperColor);
-  const Status drawn = view_.draw(size, control_);
+  Status drawn = view_.draw(size, control_);
   window_.present();
   return drawn;
 }

@@ -122,7 +122,7 @@ Status SplitView::drawMap(const SplitLayout& layout, const ViewControl& control)
   if (!flight) return Unit{};
   renderers_.map.setStyle(styleOfScene(flight->distance));
   if (!isEmpty(layout.mini_map)) {
-    const Status drawn = renderers_.map.drawMiniMap(layout.mini_map);
+    Status drawn = renderers_.map.drawMiniMap(layout.mini_map);
     if (!drawn) return drawn;
   }
   if (isEmpty(layout.scene)) return Unit{};

@@ -34,20 +34,20 @@ Status VideoRecorder::onFrame(const FrameMoment& moment) {
   Stopwatch watch;
   view_.show(moment);
   const PictureSize size{target_.width(), target_.height()};
-  const Status begun = target_.begin(kPaperColor);
+  Status begun = target_.begin(kPaperColor);
   if (!begun) return begun;
-  const Status drawn = view_.draw(size, ViewControl());
+  Status drawn = view_.draw(size, ViewControl());
   if (!drawn) return drawn;
   const RgbPicture picture{size.width, size.height, target_.readRgb()};
   if (picture.rgb.empty()) return Error{ErrorCode::gl, "the picture cannot be read back"};
   drawn_ms_ += watch.lapMs();
-  const Status written = sink_->write(picture, moment.record.result.t_ns);
+  Status written = sink_->write(picture, moment.record.result.t_ns);
   written_ms_ += watch.lapMs();
   return written;
 }
 
 Status VideoRecorder::onEnd(const FinishedRun& finished) {
-  const Status whole = sink_->finish();
+  Status whole = sink_->finish();
   if (!whole) return whole;
   const std::size_t frames = finished.run.frames.size();
   if (frames == 0) return Unit{};
