@@ -16,8 +16,8 @@ BackEnd::BackEnd(const Config& config, const CameraModel& camera)
       mapping_(
           config, camera, &map_, [this](LoopMessage message) { loop_.offer(std::move(message)); }),
       loop_(config, camera, &map_, [this](MappingMessage message) {
-        ++corrections_;
         mapping_.send(std::move(message));
+        ++corrections_;  // after it is in the queue: who sees the count waits for it
       }) {}
 
 // Each thread may be about to hand something to the other: both end before either is destroyed.

@@ -21,7 +21,8 @@ class BackEnd {
 
   /// Hands a message to the mapper; false, and nothing happens, when it is too far behind.
   bool offer(MappingMessage message) { return mapping_.offer(std::move(message)); }
-  /// Hands over what is rare and must not be lost, without waiting for room.
+  /// Hands over what is rare and must not be lost, without waiting for room: the one way past the
+  /// queue's limit, taken at the pace of an app's resets and loads.
   void send(MappingMessage message) { mapping_.sendAnyway(std::move(message)); }
 
   /// Asks where a lost frame is. One question at a time: false while one is open.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -106,6 +107,23 @@ TEST(WorkQueue, WaitIdleWaitsForTheItemBeingWorkedOn) {
   for (int i = 1; i <= 5; ++i) ASSERT_TRUE(queue.tryPush(i));
   queue.waitIdle();
   EXPECT_EQ(sum, 15);
+  queue.close();
+  consumer.join();
+}
+
+TEST(WorkQueue, WaitIdleDoesNotWaitForWhatIsPushedMeanwhile) {
+  WorkQueue<int> queue(8);
+  std::atomic<bool> is_over{false};
+  std::thread consumer([&] {
+    while (std::optional<int> item = queue.pop()) {
+      if (!is_over) queue.pushAnyway(*item);  // before done(): there is always one
+      queue.done();
+    }
+  });
+  int item = 1;
+  ASSERT_TRUE(queue.tryPush(item));
+  queue.waitIdle();
+  is_over = true;
   queue.close();
   consumer.join();
 }
