@@ -27,7 +27,7 @@ sanitized() {
   ctest_in "$preset" -R "$expression"
 }
 
-# Maps in files, and most of the C ABI, are tested inline, without a second thread.
+# Maps in files, and most of the C ABI, are tested inline, without a second thread; BusySessionMap has two.
 tsan_units() { GTEST_FILTER='-SessionMap.*:CMap.*:CScene.*:CSceneOfPoints.*:CSession.*' sanitized tsan "${tsan_targets[@]}"; }
 
 # suite NAME COMMAND...: runs it, says how it went, and remembers the failure.

@@ -94,9 +94,9 @@ FrameResult Session::Impl::track(const Frame& frame) {  // the schedule of the p
   } else {
     onLost();
   }
-  FrameResult result = toResult(frame, tracked);
-  if (!last_keyframe_) initializer_.reset();
-  return result;
+  if (last_keyframe_) return toResult(frame, tracked);
+  initializer_.reset();  // the map was given up
+  return toResult({frame.t_ns, no_map_}, tracked);
 }
 
 TrackedFrame Session::Impl::trackDirect(const Frame& frame, const SE3d& T_cam_world_guess) {
@@ -236,6 +236,7 @@ std::shared_ptr<const MapSnapshot> Session::Impl::currentMap() {
 
 void Session::Impl::forgetMap() {
   last_keyframe_.reset();
+  last_pose_ = AnchoredPose{};  // it was of the world that is gone
   sightings_.clear();
   motion_.reset();
   if (direct_) direct_->dropReference();

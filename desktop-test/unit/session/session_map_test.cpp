@@ -145,7 +145,9 @@ TEST(SessionMap, IsDroppedByResetAndStartedAnew) {
   walk.session.reset();
   EXPECT_TRUE(walk.session.map()->keyframes.empty());
   EXPECT_EQ(walk.session.map()->resets, 1U);
-  EXPECT_EQ(walkOn(&walk.fixture, &walk.session, 0, 1).state, TrackingState::initializing);
+  const FrameResult next = walkOn(&walk.fixture, &walk.session, 0, 1);
+  EXPECT_EQ(next.state, TrackingState::initializing);
+  EXPECT_EQ(next.T_world_cam.t_xyz, Pose{}.t_xyz);  // nothing of the world that is gone
   EXPECT_EQ(walkOn(&walk.fixture, &walk.session, 1, kFrames).state, TrackingState::tracking);
 }
 
@@ -175,6 +177,23 @@ TEST(SessionMap, IsKeptHoweverSmallWhenItCameFromAFile) {
   for (int i = 0; i < 10; ++i) result = fixture.feed(&other, blank);
   EXPECT_EQ(result.state, TrackingState::lost);
   EXPECT_FALSE(other.map()->keyframes.empty());
+}
+
+TEST(SessionMap, LeavesNoPoseInTheWorldAfterItWhenItIsGivenUp) {
+  SequenceFixture fixture;
+  Session session = makeSession(fixture.config());
+  int frames = 0;
+  FrameResult result;
+  while (session.map()->keyframes.size() < 2)
+    result = walkOn(&fixture, &session, frames, frames + 1), ++frames;
+  const std::uint64_t first = result.map_generation;
+  const ImageU8 blank = fixture.blank();
+  for (int i = 0; i < 10 && result.map_generation == first; ++i)
+    result = fixture.feed(&session, blank);
+  ASSERT_GT(result.map_generation, first);
+  EXPECT_EQ(result.state, TrackingState::initializing);
+  EXPECT_EQ(result.map_revision, 0U);
+  EXPECT_EQ(result.T_world_cam.t_xyz, Pose{}.t_xyz);
 }
 
 TEST(SessionMap, LocatesNothingOfTheWorldBeforeAReset) {
@@ -248,7 +267,7 @@ struct BusyWalk {
   FrameResult last;
 };
 
-TEST(SessionMap, IsEmptyFromAResetOnHoweverBusyTheMapperIs) {
+TEST(BusySessionMap, IsEmptyFromAResetOn) {
   BusyWalk walk;
   ASSERT_TRUE(walk.last.stats.keyframe);
   ASSERT_FALSE(walk.session.map()->keyframes.empty());
@@ -260,7 +279,7 @@ TEST(SessionMap, IsEmptyFromAResetOnHoweverBusyTheMapperIs) {
   EXPECT_THAT(loaded.error().message, HasSubstr("no keyframe"));
 }
 
-TEST(SessionMap, IsTakenWithoutWaitingForTheMapper) {
+TEST(BusySessionMap, IsTakenWithoutWaitingForTheMapper) {
   BusyWalk walk;
   ASSERT_TRUE(walk.last.stats.keyframe);
   const auto file = Session::MapFile::decode(*walk.session.saveMap());
