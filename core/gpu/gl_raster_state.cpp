@@ -34,8 +34,20 @@ void applyFirstDrawBuffer(bool blend, const ColorMask& mask) {
   glColorMaski(0, mask[0], mask[1], mask[2], mask[3]);
 }
 
+void applyEquations(const std::array<GLint, 2>& equations) {
+  const bool of_each = hasStateOfEachDrawBuffer();
+  const GLenum rgb = nameOf(equations[0]);
+  const GLenum alpha = nameOf(equations[1]);
+  if (rgb != alpha) {
+    of_each ? glBlendEquationSeparatei(0, rgb, alpha) : glBlendEquationSeparate(rgb, alpha);
+  } else {  // the only functions that take an equation of KHR_blend_equation_advanced
+    of_each ? glBlendEquationi(0, rgb) : glBlendEquation(rgb);
+  }
+}
+
 void applyTests(const GlRasterState& state) {
   applyFirstDrawBuffer(state.blend, state.color_mask);
+  applyEquations(state.blend_equations);
   setCapability(GL_DEPTH_TEST, state.depth_test);
   setCapability(GL_STENCIL_TEST, state.stencil_test);
   setCapability(GL_SCISSOR_TEST, state.scissor_test);
@@ -61,6 +73,7 @@ GlRasterState GlRasterState::current() {
   glGetIntegerv(GL_VIEWPORT, state.viewport.data());
   glGetBooleanv(GL_COLOR_WRITEMASK, state.color_mask.data());
   state.blend = isEnabled(GL_BLEND);
+  state.blend_equations = {glInteger(GL_BLEND_EQUATION_RGB), glInteger(GL_BLEND_EQUATION_ALPHA)};
   state.depth_test = isEnabled(GL_DEPTH_TEST);
   state.stencil_test = isEnabled(GL_STENCIL_TEST);
   state.scissor_test = isEnabled(GL_SCISSOR_TEST);

@@ -15,6 +15,9 @@ struct GlRasterState {
   std::array<GLint, 4> viewport{};
   std::array<GLboolean, 4> color_mask{GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};  ///< of draw buffer 0
   bool blend = false;                                                       ///< of draw buffer 0
+  /// Of draw buffer 0. One of KHR_blend_equation_advanced forbids draws with ordinary shaders, even
+  /// where only another draw buffer blends.
+  std::array<GLint, 2> blend_equations{GL_FUNC_ADD, GL_FUNC_ADD};
   bool depth_test = false, stencil_test = false, scissor_test = false, cull_face = false;
   bool rasterizer_discard = false, dither = true;
   bool sample_coverage = false, sample_alpha_to_coverage = false, sample_mask = false;

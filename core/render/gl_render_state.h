@@ -12,7 +12,6 @@ namespace glide {
 struct GlRenderState {
   std::array<GLint, 4> scissor_box{};
   std::array<GLint, 4> blend_factors{GL_ONE, GL_ZERO, GL_ONE, GL_ZERO};  ///< of draw buffer 0
-  std::array<GLint, 2> blend_equations{GL_FUNC_ADD, GL_FUNC_ADD};        ///< of draw buffer 0
   GLint depth_function = GL_LESS;
   GLboolean depth_mask = GL_TRUE;
   std::array<GLfloat, 2> depth_range{0.0F, 1.0F};
