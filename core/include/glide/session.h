@@ -102,8 +102,8 @@ class GLIDE_API Session {
   Status loadMap(std::span<const std::byte> bytes);
 
   /// Blocks until every keyframe handed over so far is mapped, and loops that this closed are
-  /// worked in (offline use: lossless replay). What update() hands over meanwhile is not waited for;
-  /// it may put off the adjustment of the whole map after a loop. Any thread; does not hold up
+  /// worked in (offline use: lossless replay). What update() hands over meanwhile is not waited
+  /// for; it may put off the adjustment of the whole map after a loop. Any thread; does not hold up
   /// update().
   void waitForMapping();
 
