@@ -1,7 +1,6 @@
-#include "replay/cli/rendered_dataset.h"
+#include "replay/cli/dataset_test.h"
 #include "replay/cli/replay_program.h"
 #include "replay/common/text.h"
-#include "replay/readers/scratch_folder.h"
 #include "support/data_path.h"
 
 #include <gmock/gmock.h>
@@ -17,29 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// A rendered dataset for all tests, and a folder for each.
-class ReplayProgram : public testing::Test {
+class ReplayProgram : public DatasetTest {
  protected:
-  static void SetUpTestSuite() {
-    dataset() = fs::path(testing::TempDir()) / "glide_cli_dataset";
-    fs::remove_all(dataset());
-    writeRenderedDataset(dataset());
-  }
-  static void TearDownTestSuite() { fs::remove_all(dataset()); }
-  static fs::path& dataset() {
-    static fs::path path;
-    return path;
-  }
-
   ProgramResult run(std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"-o", out().string(), "--progress", "none"});
     return runReplay(arguments, folder_.path());
-  }
-  /// A private copy of the dataset, to damage.
-  fs::path copy() {
-    const fs::path path = folder_.path() / "copy";
-    fs::copy(dataset(), path, fs::copy_options::recursive);
-    return path;
   }
   void blank(const fs::path& folder, int first_frame) {
     for (int i = first_frame; i < kRenderedFrames; ++i) {
@@ -47,14 +28,6 @@ class ReplayProgram : public testing::Test {
       cv::imwrite(file, cv::Mat(240, 320, CV_8UC1, cv::Scalar(90)));
     }
   }
-  fs::path out() const { return folder_.path() / "out"; }
-  std::string output(const std::string& name) const {
-    const auto text = readFile(out() / name);
-    EXPECT_TRUE(text.ok()) << name;
-    return text ? *text : "";
-  }
-
-  const ScratchFolder folder_;
 };
 
 TEST_F(ReplayProgram, TracksARenderedSequenceAndWritesAllFiles) {

@@ -1,8 +1,7 @@
-#include "replay/cli/rendered_dataset.h"
+#include "replay/cli/dataset_test.h"
 #include "replay/cli/replay_process.h"
 #include "replay/cli/replay_program.h"
 #include "replay/common/text.h"
-#include "replay/readers/scratch_folder.h"
 
 #include "glide/render_types.h"
 
@@ -26,19 +25,8 @@ using ::testing::HasSubstr;
 constexpr int kWidth = 1280, kHeight = 720;
 
 /// What --render and --viewer do, as a user sees it.
-class Rendering : public testing::Test {
+class Rendering : public DatasetTest {
  protected:
-  static void SetUpTestSuite() {
-    dataset() = fs::path(testing::TempDir()) / "glide_rendering_dataset";
-    fs::remove_all(dataset());
-    writeRenderedDataset(dataset());
-  }
-  static void TearDownTestSuite() { fs::remove_all(dataset()); }
-  static fs::path& dataset() {
-    static fs::path path;
-    return path;
-  }
-
   std::vector<std::string> arguments(const std::string& name,
                                      const std::vector<std::string>& more) const {
     std::vector<std::string> all{dataset().string(), "-o", (folder_.path() / name).string()};
@@ -50,22 +38,7 @@ class Rendering : public testing::Test {
     all.insert(all.end(), {"--progress", "none"});
     return runReplay(all, folder_.path());
   }
-  /// The rendered images to and fro, 30 a second.
-  std::string longWalk(int frames) const {
-    const fs::path walk = folder_.path() / "walk";
-    fs::copy(dataset(), walk, fs::copy_options::recursive);
-    constexpr int kPeriod = 2 * kRenderedFrames - 2;
-    std::string list;
-    for (int i = 0; i < frames; ++i) {
-      const int image = std::min(i % kPeriod, kPeriod - i % kPeriod);
-      list += std::to_string(1.0 + i / 30.0) + " rgb/" + std::to_string(image) + ".png\n";
-    }
-    EXPECT_TRUE(writeFile(walk / "rgb.txt", list).ok());
-    return walk.string();
-  }
   std::string place(const std::string& name) const { return (folder_.path() / name).string(); }
-
-  const ScratchFolder folder_;
 };
 
 /// How many pixels from column `first` on have about this colour.
@@ -140,7 +113,7 @@ TEST_F(Rendering, ChangesNothingOfTheResults) {
 TEST_F(Rendering, LeavesAVideoOfWhatWasSeenWhenItIsInterrupted) {
   constexpr int kLong = 600;  // frames: far more than are drawn before a key is pressed
   const std::string file = place("cut.mp4");
-  ReplayProcess replay({longWalk(kLong), "-o", place("out"), "--render", file}, {});
+  ReplayProcess replay({walkFor(steadyTimes(kLong)), "-o", place("out"), "--render", file}, {});
   ASSERT_TRUE(replay.writes("tracking")) << replay.screen();
   replay.type("\x03");
   EXPECT_EQ(replay.wait(), 130) << replay.screen();

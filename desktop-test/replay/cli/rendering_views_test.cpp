@@ -1,7 +1,6 @@
 // What --render-view leaves out and shows alone.
-#include "replay/cli/rendered_dataset.h"
+#include "replay/cli/dataset_test.h"
 #include "replay/cli/replay_program.h"
-#include "replay/readers/scratch_folder.h"
 
 #include "glide/render_types.h"
 
@@ -17,21 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RenderingViews : public testing::Test {
+class RenderingViews : public DatasetTest {
  protected:
-  static void SetUpTestSuite() {
-    fs::remove_all(dataset());
-    writeRenderedDataset(dataset());
-  }
-  static void TearDownTestSuite() { fs::remove_all(dataset()); }
-  static fs::path dataset() { return fs::path(testing::TempDir()) / "glide_rendering_views"; }
-
   /// The picture of the last frame; BGR.
   cv::Mat lastOf(const std::string& view) const {
     const fs::path frames = folder_.path() / view;
     const ProgramResult result = runReplay({dataset().string(),
                                             "-o",
-                                            (folder_.path() / "out").string(),
+                                            out().string(),
                                             "--deterministic",
                                             "--no-report",
                                             "--progress",
@@ -48,8 +40,6 @@ class RenderingViews : public testing::Test {
     return cv::imread(
         (dataset() / "rgb" / (std::to_string(kRenderedFrames - 1) + ".png")).string());
   }
-
-  const ScratchFolder folder_;
 };
 
 /// How many pixels have about this colour.

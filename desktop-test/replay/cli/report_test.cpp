@@ -1,8 +1,6 @@
-#include "replay/cli/rendered_dataset.h"
+#include "replay/cli/dataset_test.h"
 #include "replay/cli/replay_program.h"
-#include "replay/common/text.h"
 #include "replay/outputs/report_template.h"
-#include "replay/readers/scratch_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,22 +16,12 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 /// report.html as --report and --no-report have it.
-class Report : public testing::Test {
+class Report : public DatasetTest {
  protected:
-  static void SetUpTestSuite() {
-    fs::remove_all(dataset());
-    writeRenderedDataset(dataset());
-  }
-  static void TearDownTestSuite() { fs::remove_all(dataset()); }
-  static fs::path dataset() { return fs::path(testing::TempDir()) / "glide_report_dataset"; }
-  fs::path out() const { return folder_.path() / "out"; }
   ProgramResult run(std::vector<std::string> more) const {
     more.insert(more.begin(), {dataset().string(), "-o", out().string(), "--progress", "none"});
     return runReplay(more, folder_.path());
   }
-  std::string text(const std::string& name) const { return readFile(out() / name).value(); }
-
-  const ScratchFolder folder_;
 };
 
 nlohmann::json dataOf(const std::string& html) {
@@ -46,13 +34,13 @@ TEST_F(Report, HoldsWhatTheOtherFilesTell) {
   if (reportTemplate().empty()) GTEST_SKIP() << "built without npm: there is no page";
   const ProgramResult result = run({"--deterministic"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const nlohmann::json data = dataOf(text("report.html"));
-  EXPECT_EQ(data["name"], "glide_report_dataset");
-  EXPECT_EQ(data["trajectory"], text("trajectory.tum"));
+  const nlohmann::json data = dataOf(output("report.html"));
+  EXPECT_EQ(data["name"], "glide_cli_dataset");
+  EXPECT_EQ(data["trajectory"], output("trajectory.tum"));
   EXPECT_EQ(data["frames"]["count"], kRenderedFrames);
   EXPECT_FALSE(data["truth"].is_null());
   EXPECT_GT(data["pictures"]["jpeg"].size(), 10U);
-  const auto stats = nlohmann::json::parse(text("stats.json"));
+  const auto stats = nlohmann::json::parse(output("stats.json"));
   EXPECT_EQ(data["stats"]["accuracy"], stats["accuracy"]);
   EXPECT_EQ(data["stats"]["time_ms"], stats["time_ms"]);
 }
@@ -69,7 +57,7 @@ TEST_F(Report, IsMissedOnlyByThoseWhoAskForIt) {
   EXPECT_EQ(asked.exit_code, 1);
   EXPECT_THAT(asked.err, HasSubstr("--report: this program was built without the page"));
   EXPECT_EQ(run({"--max-frames", "3"}).exit_code, 0);
-  EXPECT_THAT(text("log.txt"), HasSubstr("no report.html"));
+  EXPECT_THAT(output("log.txt"), HasSubstr("no report.html"));
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
-#include "replay/cli/rendered_dataset.h"
+#include "replay/cli/dataset_test.h"
 #include "replay/cli/replay_process.h"
-#include "replay/common/text.h"
-#include "replay/readers/scratch_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,55 +18,16 @@ using ::testing::Not;
 constexpr const char* kCtrlC = "\x03";
 
 /// A replay that a person watches on a terminal.
-class TerminalHabits : public testing::Test {
+class TerminalHabits : public DatasetTest {
  protected:
-  static void SetUpTestSuite() {
-    dataset() = fs::path(testing::TempDir()) / "glide_terminal_dataset";
-    fs::remove_all(dataset());
-    writeRenderedDataset(dataset());
-  }
-  static void TearDownTestSuite() { fs::remove_all(dataset()); }
-  static fs::path& dataset() {
-    static fs::path path;
-    return path;
-  }
-
-  /// The rendered images to and fro: as many frames as a list has times.
-  std::string walkFor(const std::vector<double>& times_s) {
-    const fs::path folder = folder_.path() / "walk";
-    fs::copy(dataset(), folder, fs::copy_options::recursive);
-    std::string list;
-    int frame = 0;
-    for (const double t_s : times_s) {
-      const int phase = frame++ % (2 * kRenderedFrames - 2);
-      const int image = std::min(phase, 2 * kRenderedFrames - 2 - phase);
-      list += std::to_string(t_s) + " rgb/" + std::to_string(image) + ".png\n";
-    }
-    EXPECT_TRUE(writeFile(folder / "rgb.txt", list).ok());
-    return folder.string();
-  }
   std::vector<std::string> arguments(const std::string& source,
                                      const std::vector<std::string>& more) const {
     std::vector<std::string> all{source, "-o", out().string()};
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
-  fs::path out() const { return folder_.path() / "out"; }
-  std::string output(const std::string& name) const {
-    const auto text = readFile(out() / name);
-    EXPECT_TRUE(text.ok()) << name;
-    return text ? *text : "";
-  }
   nlohmann::json stats() const { return nlohmann::json::parse(output("stats.json")); }
-
-  const ScratchFolder folder_;
 };
-
-std::vector<double> steadyTimes(int count) {
-  std::vector<double> times;
-  for (int i = 0; i < count; ++i) times.push_back(1.0 + i / 30.0);
-  return times;
-}
 
 std::ptrdiff_t linesOf(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
@@ -90,7 +49,7 @@ TEST_F(TerminalHabits, DrawsABarInColorThatFitsTheTerminal) {
   ReplayProcess replay(arguments(dataset().string(), {}), {});
   EXPECT_EQ(replay.wait(), 0) << replay.screen();
   EXPECT_THAT(replay.screen(), HasSubstr("\x1b[38;5;208mdirect\x1b[0m"));
-  EXPECT_THAT(replay.screen(), HasSubstr("\x1b[1mglide_terminal_dataset\x1b[0m"));  // the table
+  EXPECT_THAT(replay.screen(), HasSubstr("\x1b[1mglide_cli_dataset\x1b[0m"));  // the table
   const std::vector<std::string> bars = redraws(replay.screen());
   ASSERT_FALSE(bars.empty()) << replay.screen();
   EXPECT_THAT(bars.back(), HasSubstr("] 24/24"));
