@@ -1,13 +1,10 @@
 #!/usr/bin/env python3
 """Turns the output folder of a replay into one MCAP file that Foxglove and Lichtblick open (docs/exports.md)."""
-import argparse
 import json
-import pathlib
-import sys
 
 import colors
+import converter
 import foxglove
-import replay_images
 import replay_run
 
 try:
@@ -89,21 +86,7 @@ def convert(run, images, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", type=pathlib.Path, help="what ./glide replay wrote (-o)")
-    parser.add_argument("file", type=pathlib.Path, nargs="?", help="default: FOLDER/run.mcap")
-    parser.add_argument("--images", type=pathlib.Path, help="the folder that was replayed: its images, too")
-    options = parser.parse_args()
-    if Writer is None:
-        sys.exit("to_mcap.py needs the package mcap (desktop-test/tools/requirements.txt)")
-    path = options.file or options.folder / "run.mcap"
-    try:
-        run = replay_run.read_run(options.folder)
-        images = replay_images.find(options.images, run) if options.images else {}
-        convert(run, images, path)
-    except (OSError, ValueError, KeyError) as fault:
-        sys.exit(f"to_mcap.py: {fault}")
-    print(f"{path}: {len(run.trajectory)} poses, {len(run.landmarks)} landmarks, {len(images)} images")
+    converter.main(__doc__, ("mcap", Writer), ".mcap", convert)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,7 @@
 #!/usr/bin/env python3
 """Turns the output folder of a replay into one .rrd file for the Rerun viewer (docs/exports.md)."""
-import argparse
-import pathlib
-import sys
-
 import colors
-import replay_images
-import replay_run
+import converter
 import similarity
 
 try:
@@ -85,21 +80,7 @@ def convert(run, images, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", type=pathlib.Path, help="what ./glide replay wrote (-o)")
-    parser.add_argument("file", type=pathlib.Path, nargs="?", help="default: FOLDER/run.rrd")
-    parser.add_argument("--images", type=pathlib.Path, help="the folder that was replayed: its images, too")
-    options = parser.parse_args()
-    if rerun is None:
-        sys.exit("to_rerun.py needs the package rerun-sdk (desktop-test/tools/requirements.txt)")
-    path = options.file or options.folder / "run.rrd"
-    try:
-        run = replay_run.read_run(options.folder)
-        images = replay_images.find(options.images, run) if options.images else {}
-        convert(run, images, path)
-    except (OSError, ValueError, KeyError) as fault:
-        sys.exit(f"to_rerun.py: {fault}")
-    print(f"{path}: {len(run.trajectory)} poses, {len(run.landmarks)} landmarks, {len(images)} images")
+    converter.main(__doc__, ("rerun-sdk", rerun), ".rrd", convert)
 
 
 if __name__ == "__main__":
