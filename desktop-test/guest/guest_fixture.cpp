@@ -29,32 +29,6 @@ const ImageU8& walkImage(int frame) {
   return images.emplace(frame, fixture.imageAt(frame * kStep_m)).first->second;
 }
 
-void GuestTest::SetUp() {
-  GlTest::SetUp();
-  if (IsSkipped() || HasFatalFailure()) return;
-  main_.emplace();
-  app_.emplace(makeContext(ContextSharing::none));
-}
-
-void GuestTest::TearDown() {
-  if (app_) {
-    for (const std::string& complaint : app_->complaints())
-      ADD_FAILURE() << "KHR_debug: " << complaint;
-  }
-  destroyApp();
-  main_.reset();
-  GlTest::TearDown();
-}
-
-void GuestTest::destroyApp() { app_.reset(); }
-
-AppContext GuestTest::makeContext(ContextSharing sharing) {
-  if (!hasCurrentContext()) main_->restore();  // for its display
-  Result<AppContext> context = AppContext::create(sharing);
-  EXPECT_TRUE(context.ok()) << context.error().message;
-  return std::move(*context);
-}
-
 Config GuestTest::config() const {
   Config config = SequenceFixture().config();
   config.backend = Backend::gles;

@@ -1,10 +1,12 @@
 #include "guest/guest_fixture.h"
 #include "support/app_texture.h"
 #include "support/gl_app.h"
+#include "support/gl_snapshot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -12,12 +14,6 @@
 
 namespace glide::test {
 namespace {
-
-/// A call of the public API, and what it is called in messages.
-struct PublicCall {
-  std::string name;
-  std::function<void()> run;
-};
 
 /// Everything public, in an order in which each does GL work if it can.
 class EveryCall {
@@ -124,33 +120,16 @@ class GuestStateTest : public GuestTest, public ::testing::WithParamInterface<In
 
 TEST_P(GuestStateTest, NoCallChangesAnyStateOfTheApp) {
   if (!makeTextures(kAllFrames)) GTEST_SKIP() << "no such textures on " << caps().renderer;
-  GlApp gl_app(5);
+  constexpr std::uint32_t kSeed = 5;
   EveryCall session = everyCall();
-  for (const PublicCall& call : session.calls(kFrames)) {
-    gl_app.randomise();
-    const GlSnapshot objects = gl_app.objects();
-    const GlSnapshot before = contextState();
-    call.run();
-    EXPECT_EQ(differences(before, contextState()), "") << call.name;
-    EXPECT_EQ(differences(objects, gl_app.objects()), "") << call.name;
-    ASSERT_FALSE(HasFailure()) << call.name;
-  }
-  gl_app.finish();
+  expectNoTrace(session.calls(kFrames), kSeed);
   EXPECT_GT(session.directFrames(), 0) << "the app's state kept the kernels from working";
 }
 
 TEST_P(GuestStateTest, ErrorsThatTheAppHasNotFetchedStayAndStayAlone) {
   if (!makeTextures(kAllFrames)) GTEST_SKIP() << "no such textures on " << caps().renderer;
   EveryCall session = everyCall();
-  constexpr GLenum kNoCapability = 0xBAD;
-  for (const PublicCall& call : session.calls(kFrames)) {
-    glEnable(kNoCapability);
-    app().forgetComplaints();
-    call.run();
-    EXPECT_THAT(app().complaints(), ::testing::IsEmpty()) << call.name;
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM)) << call.name;
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << call.name;
-  }
+  expectErrorsUntouched(session.calls(kFrames));
 }
 
 INSTANTIATE_TEST_SUITE_P(Inputs,

@@ -1,5 +1,7 @@
 // CameraRenderer inside of an app's contexts (docs/gl-contract.md).
 #include "support/app_texture.h"
+#include "support/gl_app.h"
+#include "support/gl_snapshot.h"
 
 #include "render/camera_scene.h"
 #include "render/contract_fixture.h"
@@ -108,7 +110,7 @@ class CameraContract : public ContractTest {
 TEST_F(CameraContract, NoCallChangesAnyStateOfTheApp) {
   const std::vector<AppTexture> textures = makeTextures();
   EveryCall renderer(GlStatePolicy::preserve, textures);
-  expectNoTrace(renderer.calls());
+  expectNoTrace(renderer.calls(), kStateSeed);
 }
 
 TEST_F(CameraContract, ErrorsThatTheAppHasNotFetchedStayAndStayAlone) {

@@ -1,4 +1,7 @@
 // MapRenderer inside of an app's contexts (docs/gl-contract.md).
+#include "support/gl_app.h"
+#include "support/gl_snapshot.h"
+
 #include "render/contract_fixture.h"
 #include "render/map_fixture.h"
 
@@ -92,7 +95,7 @@ class MapContract : public ContractTest {
 };
 
 TEST_F(MapContract, NoCallChangesAnyStateOfTheApp) {
-  expectNoTrace(everyCall(GlStatePolicy::preserve));
+  expectNoTrace(everyCall(GlStatePolicy::preserve), kStateSeed);
 }
 
 TEST_F(MapContract, ErrorsThatTheAppHasNotFetchedStayAndStayAlone) {

@@ -1,5 +1,8 @@
 #include "glide/render_target.h"
 
+#include "support/gl_app.h"
+#include "support/gl_snapshot.h"
+
 #include "render/contract_fixture.h"
 
 #include <gmock/gmock.h>
