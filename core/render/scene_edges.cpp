@@ -41,7 +41,7 @@ std::vector<PointRecord> covisibilityEdges(const MapView& map, int neighbors) {
   std::vector<PointRecord> records;
   for (const MapView::Keyframe& keyframe : map.keyframes) {
     for (const std::uint64_t id : bestNeighbors(keyframe, neighbors)) {
-      const MapView::Keyframe* neighbor = findKeyframe(map, id);
+      const MapView::Keyframe* neighbor = map.keyframe(id);
       if (neighbor == nullptr || isDrawnByOther(keyframe, *neighbor, neighbors)) continue;
       records.push_back(endAt(keyframe, kCovisibilityColor));
       records.push_back(endAt(*neighbor, kCovisibilityColor));
@@ -53,8 +53,8 @@ std::vector<PointRecord> covisibilityEdges(const MapView& map, int neighbors) {
 std::vector<PointRecord> loopEdges(const MapView& map) {
   std::vector<PointRecord> records;
   for (const MapView::Loop& loop : map.loops) {
-    const MapView::Keyframe* newer = findKeyframe(map, loop.newer);
-    const MapView::Keyframe* older = findKeyframe(map, loop.older);
+    const MapView::Keyframe* newer = map.keyframe(loop.newer);
+    const MapView::Keyframe* older = map.keyframe(loop.older);
     if (newer == nullptr || older == nullptr) continue;
     records.push_back(endAt(*newer, kLoopColor));
     records.push_back(endAt(*older, kLoopColor));

@@ -24,15 +24,6 @@ const Color& colorOf(TrackerKind tracker) {
 
 }  // namespace
 
-const MapView::Keyframe* findKeyframe(const MapView& map, std::uint64_t id) {
-  const auto found = std::lower_bound(
-      map.keyframes.begin(),
-      map.keyframes.end(),
-      id,
-      [](const MapView::Keyframe& keyframe, std::uint64_t wanted) { return keyframe.id < wanted; });
-  return found != map.keyframes.end() && found->id == id ? &*found : nullptr;
-}
-
 PoseRecord poseRecord(const SE3d& T_world_cam, const PackedColor& color) {
   const Eigen::Vector3f t = T_world_cam.t.cast<float>();
   const Eigen::Quaternionf q = T_world_cam.q.cast<float>();
@@ -73,7 +64,7 @@ void ScenePath::beginIn(std::uint64_t generation) {
 
 PoseRecord ScenePath::placed(const Frame& frame, const MapView& map) const {
   const bool is_of_map = map.generation == generation_;
-  const MapView::Keyframe* keyframe = is_of_map ? findKeyframe(map, frame.keyframe) : nullptr;
+  const MapView::Keyframe* keyframe = is_of_map ? map.keyframe(frame.keyframe) : nullptr;
   if (keyframe == nullptr) return poseRecord(frame.T_world_cam, frame.color);
   const double growth = keyframe->scale / frame.reference_scale;
   const SE3d T_ref_cam{frame.T_ref_cam.q, growth * frame.T_ref_cam.t};

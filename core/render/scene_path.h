@@ -13,9 +13,6 @@
 
 namespace glide {
 
-/// A keyframe of the map, retired or not; null when it is not there (yet).
-const MapView::Keyframe* findKeyframe(const MapView& map, std::uint64_t id);
-
 /// What is drawn of a camera.
 PoseRecord poseRecord(const SE3d& T_world_cam, const PackedColor& color);
 

@@ -2,6 +2,7 @@
 
 #include "glide/types.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -41,6 +42,15 @@ struct MapView {
   /// The camera as the map has corrected it (Config::Calibration); none while it is as given. The
   /// poses are of this camera: draw with it.
   std::optional<CameraIntrinsics> corrected_camera;
+
+  /// The keyframe with this id, retired or not; null when there is none.
+  const Keyframe* keyframe(std::uint64_t id) const {
+    const auto found = std::lower_bound(
+        keyframes.begin(), keyframes.end(), id, [](const Keyframe& keyframe, std::uint64_t wanted) {
+          return keyframe.id < wanted;
+        });
+    return found != keyframes.end() && found->id == id ? &*found : nullptr;
+  }
 };
 
 /// What a map consists of, counted; retired keyframes are not.
