@@ -21,20 +21,12 @@ const MapView::Keyframe* nearestKeyframe(const MapView& map, const Vec3d& p_worl
   return nearest == map.keyframes.end() ? nullptr : &*nearest;
 }
 
-const MapView::Keyframe* findKeyframe(const MapView& map, std::uint64_t id) {
-  const auto found = std::lower_bound(
-      map.keyframes.begin(),
-      map.keyframes.end(),
-      id,
-      [](const MapView::Keyframe& keyframe, std::uint64_t wanted) { return keyframe.id < wanted; });
-  return found == map.keyframes.end() || found->id != id ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::optional<std::uint64_t> Anchors::create(const SE3d& T_world_anchor, const MapView& map) {
   const MapView::Keyframe* keyframe = nearestKeyframe(map, T_world_anchor.t);
   if (keyframe == nullptr) return std::nullopt;
+  follow(map);
   Anchor anchor;
   anchor.generation = map.generation;
   anchor.keyframe = keyframe->id;
@@ -62,7 +54,7 @@ void Anchors::follow(const MapView& map) {
 }
 
 void Anchors::follow(const MapView& map, Anchor* anchor) {
-  const MapView::Keyframe* keyframe = findKeyframe(map, anchor->keyframe);
+  const MapView::Keyframe* keyframe = map.keyframe(anchor->keyframe);
   anchor->state.is_tracked = keyframe != nullptr;  // culled ones stay in the view
   if (keyframe == nullptr) return;
   SE3d T_key_anchor = anchor->T_key_anchor;

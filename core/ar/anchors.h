@@ -20,16 +20,15 @@ class Anchors {
     std::uint64_t revision = 0;  ///< grows when the pose has changed
   };
 
-  /// An id that is never given twice; nothing while the map has no keyframes.
+  /// An id that is never given twice; nothing while the map has no keyframes. follow()s the map.
   std::optional<std::uint64_t> create(const SE3d& T_world_anchor, const MapView& map);
   /// False when there is no such anchor.
   bool destroy(std::uint64_t id) { return anchors_.erase(id) != 0; }
   /// Nothing when there is no such anchor.
   std::optional<State> state(std::uint64_t id) const;
 
-  /// Takes every anchor to where `map` has it. Maps come in the order of their generations and
-  /// revisions; nothing is done for one that was there before. Where an anchor's map is gone it
-  /// stays where it is, untracked.
+  /// Takes every anchor to where `map` has it; nothing is done for the map that was followed last.
+  /// Where an anchor's map is gone it stays where it is, untracked.
   void follow(const MapView& map);
 
  private:

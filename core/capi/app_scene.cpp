@@ -68,9 +68,9 @@ CameraModel AppSession::cameraOf(const MapView& map) const {
 }
 
 AppSession::Sight AppSession::sight() const {
-  Sight sight{state_.load(), session_.map(), camera_, {}};
-  const bool is_of_map = sight.map->generation == sight.state->last.map_generation;
-  if (!sight.state->isTracking() || !is_of_map) return sight;
+  const std::shared_ptr<const AppState> state = state_.load();
+  Sight sight{state, state->mapView(), camera_, {}};
+  if (!state->isTracking()) return sight;
   sight.camera = cameraOf(*sight.map);
   sight.points = visiblePoints(*sight.map, sight.camera, sight.state->T_world_cam().inverse());
   return sight;
@@ -106,10 +106,8 @@ std::vector<glide_hit> AppSession::hitTest(const Vec2d& uv) const {
 glide_status AppSession::createAnchor(const glide_pose& pose, std::uint64_t* id) {
   const std::lock_guard<std::mutex> lock(anchors_mutex_);
   const std::shared_ptr<const AppState> state = state_.load();
-  const std::shared_ptr<const MapView> map = session_.map();
-  std::optional<std::uint64_t> made;
-  if (map->generation == state->last.map_generation)
-    made = anchors_.create(state->world.objectFromApp(fromC(pose)), *map);
+  const std::optional<std::uint64_t> made =
+      anchors_.create(state->world.objectFromApp(fromC(pose)), *state->mapView());
   if (!made) return refuse(GLIDE_ERROR_NOT_TRACKING, "there is no map to hang an anchor on");
   *id = *made;
   return kDone;
@@ -118,13 +116,12 @@ glide_status AppSession::createAnchor(const glide_pose& pose, std::uint64_t* id)
 glide_status AppSession::anchor(std::uint64_t id, glide_anchor* state) {
   const std::lock_guard<std::mutex> lock(anchors_mutex_);
   const std::shared_ptr<const AppState> seen = state_.load();
-  const std::shared_ptr<const MapView> map = session_.map();
-  anchors_.follow(*map);
+  anchors_.follow(*seen->mapView());
   const std::optional<Anchors::State> found = anchors_.state(id);
   if (!found) return refuse(GLIDE_ERROR_INVALID_ARGUMENT, "there is no such anchor");
   glide_anchor result{};
   result.tracking = found->is_tracked ? 1 : 0;
-  result.pose = toC(seen->worldOf(map->generation).objectToApp(found->T_world_anchor));
+  result.pose = toC(seen->world.objectToApp(found->T_world_anchor));
   result.revision = found->revision;
   writeSized(result, state);
   return kDone;

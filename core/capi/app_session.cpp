@@ -38,7 +38,7 @@ AppSession::AppSession(const glide_config& config, Session session, const Camera
       log_user_(config.log_user),
       camera_(camera),
       state_(std::make_shared<const AppState>(AppState{
-          AppWorld(config.axes == GLIDE_AXES_GL ? AppAxes::gl : AppAxes::cv), {}, {}, {}})),
+          AppWorld(config.axes == GLIDE_AXES_GL ? AppAxes::gl : AppAxes::cv), {}, {}, {}, {}})),
       backend_(std::make_shared<const BackendInfo>(session.backend())),
       session_(std::move(session)) {}
 
@@ -78,7 +78,7 @@ glide_status AppSession::update(const glide_image& image, glide_frame* frame) {
 glide_status AppSession::answer(const FrameResult& result, glide_frame* frame) {
   const std::shared_ptr<const AppState> before = state_.load();
   changeState([&](AppState* state) {
-    state->take(result, session_.trackedPoints());
+    state->take(result, session_.frameMap(), session_.trackedPoints());
     writeSized(toC(result, state->world), frame);
     return kDone;
   });

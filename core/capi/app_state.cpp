@@ -2,9 +2,15 @@
 
 #include "geometry/pose_conversion.h"
 
+#include <utility>
+
 namespace glide {
 
 SE3d AppState::T_world_cam() const { return fromPose(last.T_world_cam); }
+
+std::shared_ptr<const MapView> AppState::mapView() const {
+  return map ? map->view() : std::make_shared<const MapView>();
+}
 
 AppWorld AppState::worldOf(std::uint64_t generation) const {
   AppWorld shown = world;
@@ -15,12 +21,16 @@ AppWorld AppState::worldOf(std::uint64_t generation) const {
 void AppState::replaceMap() {
   world.reset();
   last = FrameResult{};
+  map.reset();
   tracked_points.clear();
 }
 
-void AppState::take(const FrameResult& result, const std::vector<TrackedPoint>& points) {
+void AppState::take(const FrameResult& result,
+                    std::shared_ptr<const FrameMap> map_of_result,
+                    const std::vector<TrackedPoint>& points) {
   world = worldOf(result.map_generation);
   last = result;
+  map = std::move(map_of_result);
   tracked_points = points;
 }
 

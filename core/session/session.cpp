@@ -43,6 +43,8 @@ Result<FrameResult> Session::update(const FrameInput& frame) try {
 
 std::shared_ptr<const MapView> Session::map() const { return impl_->view(); }
 
+std::shared_ptr<const FrameMap> Session::frameMap() const { return impl_->frameMap(); }
+
 MapSize Session::mapSize() const {
   const std::shared_ptr<const MapSnapshot> map = impl_->map();
   return {map->keyframes().size(), map->landmarks().size(), map->loops().size()};

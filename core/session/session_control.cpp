@@ -1,4 +1,3 @@
-#include "session/map_view_builder.h"
 #include "session/session_impl.h"
 
 #include "map/map_snapshot.h"
@@ -89,17 +88,26 @@ std::shared_ptr<const MapSnapshot> Session::Impl::mapOf(std::uint64_t generation
 
 std::shared_ptr<const MapView> Session::Impl::view() const {
   const std::uint64_t generation = this->generation();
-  const std::shared_ptr<const MapSnapshot> shown = mapOf(generation);
-  std::shared_ptr<const MapView> view = view_.load();
-  if (view->generation == generation && view->revision == shown->revision()) return view;
-  view = buildMapView(*shown, {generation, resets_.load()});
-  view_.store(view);
-  return view;
+  return shown(mapOf(generation), generation)->view();
+}
+
+std::shared_ptr<const FrameMap> Session::Impl::shown(const std::shared_ptr<const MapSnapshot>& map,
+                                                     std::uint64_t generation) const {
+  const auto is_same = [&](const FrameMap& other) {
+    return other.generation() == generation && other.revision() == map->revision();
+  };
+  if (auto of_frame = frame_map_.load(); is_same(*of_frame)) return of_frame;
+  if (auto newest = newest_map_.load(); is_same(*newest)) return newest;
+  auto made = std::make_shared<const FrameMap>(map, generation, resets_.load());
+  newest_map_.store(made);
+  return made;
 }
 
 LocatedCamera Session::Impl::locate(std::int64_t t_ns) const {
   const std::shared_ptr<const PoseTimeline> timeline = timeline_.load();
-  return timeline->at(t_ns, *mapOf(timeline->generation()));
+  const std::shared_ptr<const FrameMap> map = frame_map_.load();
+  const bool is_of_map = map->generation() == timeline->generation();
+  return timeline->at(t_ns, is_of_map ? map->snapshot() : *no_map_);
 }
 
 StoredMap Session::Impl::stored() const {
@@ -132,7 +140,6 @@ Status Session::Impl::restore(const StoredMap& stored) {
   map_start_ = map.keyframes().front().id;
   last_keyframe_ = LastKeyframe{last, 0};
   last_pose_ = anchorTo(last, *map.T_cam_world(last), map);
-  last_map_ = this->map();
   is_restored_ = true;
   lost_frames_ = 1;  // nothing is known about where the camera is
   return Unit{};

@@ -35,12 +35,12 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
       back_end_(config, camera),
       no_map_(std::make_shared<const MapSnapshot>()),
       timeline_(std::make_shared<const PoseTimeline>(kFirstGeneration)),
-      view_(std::make_shared<const MapView>()),
+      frame_map_(std::make_shared<const FrameMap>(no_map_, kFirstGeneration, 0)),
+      newest_map_(frame_map_.load()),
       backend_(aligner.info),
       indirect_(config, camera),
       initializer_(config, camera),
       reader_(config, aligner.info.backend),
-      last_map_(no_map_),
       last_t_ns_(kNever),
       used_answer_t_ns_(kNever) {
   if (config.tracker == TrackerMode::hybrid)
@@ -64,18 +64,18 @@ FrameResult Session::Impl::update(const FrameInput& input) {
   last_t_ns_ = input.t_ns;
   tracked_points_.clear();
   if (is_paused_) return pausedResult(input.t_ns);
-  const Frame frame{input.t_ns, currentMap()};
+  Frame frame{input.t_ns, currentMap()};
   const std::optional<WorldCorrection> correction =
-      correctionBetween(*last_map_, *frame.map, last_pose_);
-  last_map_ = frame.map;
+      correctionBetween(frame_map_.load()->snapshot(), *frame.map, last_pose_);
   FrameResult result;
   if (!last_keyframe_) {
-    result = isMapping() ? initialize(frame) : toResult(frame, TrackedFrame());
+    result = isMapping() ? initialize(&frame) : toResult(frame, TrackedFrame());
   } else if (isMapPending(frame)) {
     result = waitForMap(frame);
   } else {
-    result = track(frame);
+    result = track(&frame);
   }
+  frame_map_.store(shown(frame.map, generation()));
   result.correction = correction;
   result.stats.readback_ms = reader_.readback_ms();
   remember(frame, result);
@@ -83,20 +83,22 @@ FrameResult Session::Impl::update(const FrameInput& input) {
   return result;
 }
 
-FrameResult Session::Impl::track(const Frame& frame) {  // the schedule of the paper, section II
+FrameResult Session::Impl::track(Frame* frame) {  // the schedule of the paper, section II
   const SE3d T_cam_world_guess =
-      motion_.predict(frame.t_ns, *frame.map).value_or(last_pose_.T_cam_world(*frame.map));
-  TrackedFrame tracked = trackDirect(frame, T_cam_world_guess);
-  if (!tracked.ok) tracked = trackIndirect(frame, tracked);
-  if (!tracked.ok) tracked = relocalize(frame, tracked);
+      motion_.predict(frame->t_ns, *frame->map).value_or(last_pose_.T_cam_world(*frame->map));
+  TrackedFrame tracked = trackDirect(*frame, T_cam_world_guess);
+  if (!tracked.ok) tracked = trackIndirect(*frame, tracked);
+  if (!tracked.ok) tracked = relocalize(*frame, tracked);
   if (tracked.ok) {
-    onTracked(frame, &tracked);
+    onTracked(*frame, &tracked);
   } else {
     onLost();
   }
-  if (last_keyframe_) return toResult(frame, tracked);
-  initializer_.reset();  // the map was given up
-  return toResult({frame.t_ns, no_map_}, tracked);
+  if (!last_keyframe_) {  // the map was given up
+    initializer_.reset();
+    frame->map = no_map_;
+  }
+  return toResult(*frame, tracked);
 }
 
 TrackedFrame Session::Impl::trackDirect(const Frame& frame, const SE3d& T_cam_world_guess) {
@@ -245,15 +247,16 @@ void Session::Impl::forgetMap() {
   used_answer_t_ns_ = last_t_ns_;  // later answers may be about a map that is gone
   is_restored_ = false;
   timeline_.store(std::make_shared<const PoseTimeline>(generation_ + 1));
-  view_.store(std::make_shared<const MapView>());
+  frame_map_.store(shown(no_map_, generation()));
 }
 
-FrameResult Session::Impl::pausedResult(std::int64_t t_ns) const {
+FrameResult Session::Impl::pausedResult(std::int64_t t_ns) {
+  frame_map_.store(shown(map(), generation()));
   FrameResult result;
   result.t_ns = t_ns;
   result.state = TrackingState::paused;
   result.map_generation = generation();
-  describePose(last_pose_, *map(), &result);
+  describePose(last_pose_, frame_map_.load()->snapshot(), &result);
   return result;
 }
 

@@ -26,7 +26,7 @@
 namespace glide {
 
 /// The trackers and the back end of one session. Belongs to the thread that calls update(), but for
-/// view(), map(), stored(), locate() and waitForMapping(), which any thread may call.
+/// view(), frameMap(), map(), stored(), locate() and waitForMapping(), which any thread may call.
 class Session::Impl {
  public:
   Impl(const Config& config, const CameraModel& camera, ChosenAligner aligner);
@@ -51,6 +51,7 @@ class Session::Impl {
   std::shared_ptr<const MapSnapshot> map() const { return mapOf(generation()); }
   /// A copy of map(), the same one until there is a new revision.
   std::shared_ptr<const MapView> view() const;
+  std::shared_ptr<const FrameMap> frameMap() const { return frame_map_.load(); }
   StoredMap stored() const;
   LocatedCamera locate(std::int64_t t_ns) const;
 
@@ -69,8 +70,9 @@ class Session::Impl {
   /// is not the current one). An error changes nothing.
   Status ensureAligner();
   bool isMapping() const { return config_.mode == SessionMode::slam; }
-  FrameResult initialize(const Frame& frame);
-  void startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked);
+  /// These put the map that the result is of into the frame: the one that it starts, or none.
+  FrameResult initialize(Frame* frame);
+  void startMap(InitialMap start, Frame* frame, TrackedFrame* tracked);
   /// Of the map to be seen, or to be started next.
   std::uint64_t generation() const { return timeline_.load()->generation(); }
   /// What the mapper has published when it is of this generation, else an empty map.
@@ -82,7 +84,7 @@ class Session::Impl {
   /// The mapper has not published the map that was started or loaded last.
   bool isMapPending(const Frame& frame) const { return frame.map->generation() < generation_; }
   FrameResult waitForMap(const Frame& frame) const;
-  FrameResult track(const Frame& frame);
+  FrameResult track(Frame* frame);
   TrackedFrame trackDirect(const Frame& frame, const SE3d& T_cam_world_guess);
   TrackedFrame trackIndirect(const Frame& frame, const TrackedFrame& direct);
   /// Asks the loop thread where the frame is, and tries its last answer.
@@ -95,9 +97,12 @@ class Session::Impl {
   /// The map for the next frame; a start that the mapper refused is given up.
   std::shared_ptr<const MapSnapshot> currentMap();
   void forgetMap();
+  /// A snapshot to look at; the same one until there is a new revision.
+  std::shared_ptr<const FrameMap> shown(const std::shared_ptr<const MapSnapshot>& map,
+                                        std::uint64_t generation) const;
   void countSightings(const TrackedFrame& tracked);
   NewKeyframe makeKeyframe(const Frame& frame, const TrackedFrame& tracked);
-  FrameResult pausedResult(std::int64_t t_ns) const;
+  FrameResult pausedResult(std::int64_t t_ns);
   FrameResult toResult(const Frame& frame, const TrackedFrame& tracked) const;
   /// For locate().
   void remember(const Frame& frame, const FrameResult& result);
@@ -110,7 +115,8 @@ class Session::Impl {
   std::atomic<std::uint64_t> resets_{0};
   const std::shared_ptr<const MapSnapshot> no_map_;
   Published<PoseTimeline> timeline_;
-  mutable Published<MapView> view_;  ///< that was asked for last
+  Published<FrameMap> frame_map_;
+  mutable Published<FrameMap> newest_map_;  ///< of those that shown() has made
 
   // The thread of update().
   BackendInfo backend_;
@@ -124,7 +130,6 @@ class Session::Impl {
   std::optional<LastKeyframe> last_keyframe_;  ///< none before there is a map
   KeyframeId map_start_;                       ///< first keyframe of that map
   AnchoredPose last_pose_;
-  std::shared_ptr<const MapSnapshot> last_map_;  ///< of the frame before
   std::int64_t last_t_ns_;
   std::int64_t used_answer_t_ns_;  ///< of the relocalisation that was tried last
   std::uint64_t next_keyframe_id_ = 0;

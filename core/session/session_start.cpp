@@ -5,22 +5,22 @@
 // What a session does until it has a map.
 namespace glide {
 
-FrameResult Session::Impl::initialize(const Frame& frame) {
+FrameResult Session::Impl::initialize(Frame* frame) {
   TrackedFrame tracked;
   const ImageViewU8 luma = reader_.luma();
   Stopwatch watch;
   tracked.features = indirect_.extract(luma, config_.features.initialization_count);
   tracked.stats.features_ms = watch.lapMs();
-  std::optional<InitialMap> start = initializer_.update(frame.t_ns, tracked.features);
+  std::optional<InitialMap> start = initializer_.update(frame->t_ns, tracked.features);
   tracked.stats.pose_ms = watch.lapMs();
-  if (start) startMap(frame, std::move(*start), &tracked);
-  FrameResult result = toResult(frame, tracked);
+  if (start) startMap(std::move(*start), frame, &tracked);
+  FrameResult result = toResult(*frame, tracked);
   result.initialization = initializer_.progress();
   if (tracked.ok) initializer_.reset();
   return result;
 }
 
-void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame* tracked) {
+void Session::Impl::startMap(InitialMap start, Frame* frame, TrackedFrame* tracked) {
   start.a.id = KeyframeId{next_keyframe_id_++};
   start.b.id = KeyframeId{next_keyframe_id_++};
   map_start_ = start.a.id;
@@ -35,16 +35,16 @@ void Session::Impl::startMap(const Frame& frame, InitialMap start, TrackedFrame*
   const std::shared_ptr<const MapSnapshot> mapped = back_end_.snapshot();
   tracked->ok = !isStartRefused(*mapped);
   if (!tracked->ok) return giveUpStart(*mapped);
-  const MapSnapshot& map = mapped->generation() == generation_ ? *mapped : *no_map_;
+  if (mapped->generation() == generation_) frame->map = mapped;
   tracked->tracker = TrackerKind::indirect;
   tracked->confidence = 1.0;
   tracked->stats.keyframe = true;
-  tracked->T_cam_world = tracked->pose.T_cam_world(map);
+  tracked->T_cam_world = tracked->pose.T_cam_world(*frame->map);
   last_keyframe_ = LastKeyframe{tracked->pose.keyframe, 0};
   last_pose_ = tracked->pose;
   lost_frames_ = 0;
   motion_.reset();
-  motion_.update(frame.t_ns, tracked->pose, map);
+  motion_.update(frame->t_ns, tracked->pose, *frame->map);
 }
 
 // The mapper counts refused maps, too: the next one to be shown is the one after.

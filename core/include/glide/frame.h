@@ -136,9 +136,9 @@ struct FrameResult {
   /// MapView::Keyframe::scale of the keyframe when T_ref_cam was measured. When it is another one
   /// now, T_ref_cam's translation is to be multiplied by (scale now / reference_scale).
   double reference_scale = 1.0;
-  double confidence = 0.0;  ///< 0..1, share of agreeing landmarks, 0 unless tracking
-  std::uint64_t map_revision = 0;
-  std::uint64_t map_generation = 0;           ///< MapView::generation of the pose's world
+  double confidence = 0.0;           ///< 0..1, share of agreeing landmarks, 0 unless tracking
+  std::uint64_t map_revision = 0;    ///< of Session::frameMap()
+  std::uint64_t map_generation = 0;  ///< MapView::generation of the pose's world
   std::optional<WorldCorrection> correction;  ///< since the frame before
   InitializationProgress initialization;
   FrameStats stats;

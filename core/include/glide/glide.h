@@ -73,7 +73,8 @@ GLIDE_C_API glide_status glide_session_locate(glide_session* session,
                                               glide_location* location);
 
 /* Blocks until every keyframe so far is mapped and the loops that this closed are worked in: for
- * files, where the next frame can wait. */
+ * files, where the next frame can wait. Not for what other threads hand over meanwhile, which may
+ * put off the adjustment of the whole map after a loop. The next update shows what was mapped. */
 GLIDE_C_API glide_status glide_session_wait_for_mapping(glide_session* session);
 
 /* World. Metres per present scene unit, relative to what is shown now: a distance that shows as 2
@@ -114,7 +115,9 @@ GLIDE_C_API glide_status glide_session_tracked_points(glide_session* session,
 GLIDE_C_API glide_status glide_session_hit_test(
     glide_session* session, const float uv[2], size_t capacity, glide_hit* hits, size_t* count);
 
-/* Anchors keep their place in the scene when the map is corrected. NOT_TRACKING without a map. */
+/* Anchors keep their place in the scene when the map is corrected, which update tells: between two
+ * updates points, hits and anchors are of the map that the last frame was tracked in. NOT_TRACKING
+ * without a map, as in a frame that starts one while mapping is threaded. */
 GLIDE_C_API glide_status glide_anchor_create(glide_session* session,
                                              const glide_pose* pose,
                                              uint64_t* anchor);

@@ -2,6 +2,7 @@
 
 #include "glide/config.h"
 #include "glide/frame.h"
+#include "glide/frame_map.h"
 #include "glide/map_view.h"
 #include "glide/result.h"
 #include "glide/version.h"
@@ -46,12 +47,17 @@ class GLIDE_API Session {
   Result<FrameResult> update(const FrameInput& frame);
 
   /// Where the camera was at `t_ns` (the clock of FrameInput): interpolated within the last few
-  /// seconds, predicted up to 100 ms after the last frame, else not valid. Any thread.
+  /// seconds, predicted up to 100 ms after the last frame, else not valid; in frameMap(). Any
+  /// thread.
   LocatedCamera locate(std::int64_t t_ns) const;
 
   /// The current map, never null: a copy, shared by who asks before there is a new revision. Empty
   /// from reset(), or a start that is given up, until there is a new map. Any thread.
   std::shared_ptr<const MapView> map() const;
+
+  /// The map that the last update() tracked its frame in, never null: with the pose of the frame,
+  /// it is one world, while map() may be corrected already. Empty like map(). Any thread.
+  std::shared_ptr<const FrameMap> frameMap() const;
 
   /// How large the current map is, without a copy of it. Any thread.
   MapSize mapSize() const;

@@ -151,6 +151,72 @@ TEST(CSceneOfThreads, KeepsTheScaleThatWasSetOnTheFirstTrackedFrame) {
   EXPECT_NEAR(depths[depths.size() / 2], 3.0F, 0.6F);  // a start has a median depth of one
 }
 
+/// A session whose last frame has given the mapper a keyframe to work on.
+class CSceneBeingMapped : public ::testing::Test {
+ protected:
+  CSceneBeingMapped() {
+    while (frame_.state != GLIDE_STATE_TRACKING && frames_ < kFrames) walkOn();
+    mapAll();
+    do walkOn();
+    while (frame_.keyframe == 0 && frames_ < 3 * kFrames);
+  }
+  void walkOn() { frame_ = walk_.walk(++frames_); }
+  void mapAll() { EXPECT_EQ(glide_session_wait_for_mapping(walk_.session()), GLIDE_OK); }
+
+  std::vector<float> depths() const {
+    std::vector<glide_point> points(5000);
+    std::size_t count = 0;
+    EXPECT_EQ(glide_session_point_cloud(walk_.session(), points.size(), points.data(), &count),
+              GLIDE_OK);
+    std::vector<float> z;
+    for (std::size_t i = 0; i < count; ++i) z.push_back(points[i].z);
+    return z;
+  }
+  std::uint64_t mapRevision() const {
+    glide_map* map = nullptr;
+    EXPECT_EQ(glide_map_acquire(walk_.session(), &map), GLIDE_OK);
+    std::uint64_t revision = 0;
+    EXPECT_EQ(glide_map_revision(map, &revision), GLIDE_OK);
+    glide_map_release(map);
+    return revision;
+  }
+  glide_anchor anchor(std::uint64_t id) const {
+    glide_anchor state = sized<glide_anchor>();
+    EXPECT_EQ(glide_anchor_get(walk_.session(), id, &state), GLIDE_OK);
+    return state;
+  }
+
+  CWalk walk_{GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED};
+  glide_frame frame_{};
+  int frames_ = 0;
+};
+
+TEST_F(CSceneBeingMapped, IsOfTheMapThatTheFrameWasTrackedIn) {
+  const std::vector<float> depths_before = depths();
+  std::uint64_t id = 0;
+  glide_pose pose = frame_.camera;
+  pose.p[2] -= 1.0;
+  ASSERT_EQ(glide_anchor_create(walk_.session(), &pose, &id), GLIDE_OK) << glide_last_error();
+  const std::uint64_t revision = anchor(id).revision;
+  mapAll();
+  ASSERT_GT(mapRevision(), frame_.map_revision);
+  EXPECT_EQ(depths(), depths_before);
+  EXPECT_EQ(anchor(id).revision, revision);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(anchor(id).pose.p[k], pose.p[k]);
+
+  walkOn();
+  EXPECT_NE(depths(), depths_before);
+}
+
+TEST_F(CScene, UntracksAnAnchorThatWasNeverLookedAt) {
+  std::uint64_t id = 0;
+  glide_anchor anchor = sized<glide_anchor>();
+  ASSERT_EQ(glide_anchor_create(walk_.session(), &frame_.camera, &id), GLIDE_OK);
+  ASSERT_EQ(glide_session_reset(walk_.session()), GLIDE_OK);
+  ASSERT_EQ(glide_anchor_get(walk_.session(), id, &anchor), GLIDE_OK);
+  EXPECT_EQ(anchor.tracking, 0);
+}
+
 TEST_F(CScene, HasNothingToShowRightAfterAReset) {
   ASSERT_EQ(glide_session_reset(walk_.session()), GLIDE_OK);
   glide_pose pose{};
