@@ -72,6 +72,12 @@ constexpr std::size_t kNumbers[] = {
     sizeof(glide_point),
     offsetof(glide_point, id),
 
+    sizeof(glide_tracked_point),
+    offsetof(glide_tracked_point, u),
+    offsetof(glide_tracked_point, v),
+    offsetof(glide_tracked_point, residual),
+    offsetof(glide_tracked_point, inlier),
+
     sizeof(glide_keyframe),
     offsetof(glide_keyframe, t_ns),
     offsetof(glide_keyframe, camera),

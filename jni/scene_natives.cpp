@@ -84,6 +84,13 @@ jint JNICALL pointCloud(JNIEnv* env, jclass /*type*/, jlong session, jobject poi
       });
 }
 
+jint JNICALL trackedPoints(JNIEnv* env, jclass /*type*/, jlong session, jobject points) {
+  return counted<glide_tracked_point>(
+      env, points, [&](std::size_t capacity, glide_tracked_point* out, std::size_t* count) {
+        return glide_session_tracked_points(handleOf<glide_session>(session), capacity, out, count);
+      });
+}
+
 // NOLINTNEXTLINE(readability-function-size): Java has no structs to pass
 jint JNICALL
 hitTest(JNIEnv* env, jclass /*type*/, jlong session, jfloat x, jfloat y, jobject hits) {
@@ -126,6 +133,7 @@ std::vector<JNINativeMethod> sceneNatives() {
       native("viewMatrix", "(J[FI)V", viewMatrix),
       native("projectionMatrix", "(JFF[FI)V", projectionMatrix),
       native("pointCloud", "(JLjava/nio/ByteBuffer;)I", pointCloud),
+      native("trackedPoints", "(JLjava/nio/ByteBuffer;)I", trackedPoints),
       native("hitTest", "(JFFLjava/nio/ByteBuffer;)I", hitTest),
       native("createAnchor", "(JLjava/nio/ByteBuffer;)J", createAnchor),
       native("anchor", "(JJLjava/nio/ByteBuffer;)V", anchor),

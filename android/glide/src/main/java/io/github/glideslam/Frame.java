@@ -13,6 +13,7 @@ public final class Frame {
   private final Session session;
   private final Camera camera;
   private final FrameStats stats = new FrameStats(struct);
+  private final TrackedPoints trackedPoints = new TrackedPoints();
 
   Frame(Session session) {
     this.session = session;
@@ -69,6 +70,18 @@ public final class Frame {
   /** Landmarks in this frame's view; close it. Empty unless the camera is tracking. */
   public PointCloud acquirePointCloud() {
     return PointCloud.ofSession(session, getTimestamp());
+  }
+
+  /**
+   * The landmarks that this frame was tracked by, at the pixels where it sees them; the same object
+   * each time, filled again by each call. Empty unless the camera is tracking and {@link
+   * Config#setTrackedPoints} asked for them.
+   *
+   * @throws SessionClosedException when the session is closed; the points stay as they were
+   */
+  public TrackedPoints getTrackedPoints() {
+    trackedPoints.fill(session.handle(), getTimestamp());
+    return trackedPoints;
   }
 
   /**

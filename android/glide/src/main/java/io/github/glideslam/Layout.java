@@ -69,6 +69,12 @@ final class Layout {
   static final int POINT_SIZE = 24;
   static final int POINT_ID = 16;
 
+  static final int TRACKED_POINT_SIZE = 24;
+  static final int TRACKED_POINT_U = 8;
+  static final int TRACKED_POINT_V = 12;
+  static final int TRACKED_POINT_RESIDUAL = 16;
+  static final int TRACKED_POINT_INLIER = 20;
+
   static final int KEYFRAME_SIZE = 80;
   static final int KEYFRAME_TIME = 8;
   static final int KEYFRAME_CAMERA = 16;
@@ -122,6 +128,8 @@ final class Layout {
       FRAME_START_LANDMARKS,
       LOCATION_SIZE, LOCATION_FLAGS, LOCATION_TIME, LOCATION_CAMERA,
       POINT_SIZE, POINT_ID,
+      TRACKED_POINT_SIZE, TRACKED_POINT_U, TRACKED_POINT_V, TRACKED_POINT_RESIDUAL,
+      TRACKED_POINT_INLIER,
       KEYFRAME_SIZE, KEYFRAME_TIME, KEYFRAME_CAMERA, KEYFRAME_RETIRED,
       LOOP_SIZE, LOOP_OLDER,
       HIT_SIZE, HIT_DISTANCE, HIT_POINTS,

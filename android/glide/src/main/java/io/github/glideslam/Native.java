@@ -57,6 +57,8 @@ final class Native {
   /** How many there are; as many as fit are written, none into null. So are the other lists. */
   static native int pointCloud(long session, ByteBuffer points);
 
+  static native int trackedPoints(long session, ByteBuffer points);
+
   static native int hitTest(long session, float x, float y, ByteBuffer hits);
 
   static native long createAnchor(long session, ByteBuffer pose);

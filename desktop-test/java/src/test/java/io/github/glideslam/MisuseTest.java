@@ -38,7 +38,7 @@ class MisuseTest extends TrackedTest {
         () -> session.saveMap("/tmp/none"), () -> session.loadMap("/tmp/none"),
         () -> camera.getViewMatrix(new float[16], 0),
         () -> camera.getProjectionMatrix(new float[16], 0, 1, 2),
-        frame::acquirePointCloud, () -> frame.hitTest(1, 1));
+        frame::acquirePointCloud, frame::getTrackedPoints, () -> frame.hitTest(1, 1));
     for (Executable call : calls) {
       assertThrows(SessionClosedException.class, call);
     }
@@ -187,6 +187,7 @@ class MisuseTest extends TrackedTest {
     assertRefused(() -> Native.saveMap(handle, null));
     assertRefused(() -> Native.loadMapBytes(handle, null));
     assertRefused(() -> Native.pointCloud(handle, heap));
+    assertRefused(() -> Native.trackedPoints(handle, heap));
     assertRefused(() -> Native.anchor(handle, 12345, Layout.struct(Layout.ANCHOR_SIZE)));
     for (long stale : new long[] {0, 1, -1, handle + 8, Long.MIN_VALUE}) {
       assertThrows(SessionClosedException.class, () -> Native.pause(stale));

@@ -26,6 +26,7 @@ class SteadyStateTest {
     private final double[] pose = new double[7];
     private final PoseSample sample = new PoseSample();
     private int tracked;
+    private int inliers;
 
     FrameLoop(Session session, Sequence sequence) {
       this.session = session;
@@ -46,6 +47,10 @@ class SteadyStateTest {
       camera.getProjectionMatrix(projection, 0, 0.1f, 100);
       session.pushImu(timestampNs, 0, 9.8f, 0, 0, 0, 0);
       session.locate(timestampNs, sample).getPose(pose, 0);
+      TrackedPoints points = frame.getTrackedPoints();
+      for (int i = 0; i < points.size(); ++i) {
+        inliers += points.isInlier(i) && points.getX(i) > 0 && points.getY(i) > 0 ? 1 : 0;
+      }
       for (Anchor anchor : emptyAsList(frame)) {
         anchor.getPose(pose, 0);
       }
@@ -70,7 +75,8 @@ class SteadyStateTest {
     }
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     long self = Thread.currentThread().getId();
-    try (Session session = new Session(sequence.config())) {
+    Config config = sequence.config().setTrackedPoints(Config.ReportPoints.ON);
+    try (Session session = new Session(config)) {
       FrameLoop loop = new FrameLoop(session, sequence);
       for (int i = 0; i < WARM_UP; ++i) {
         loop.run(images[i], times[i]);
@@ -79,6 +85,7 @@ class SteadyStateTest {
         }
       }
       loop.tracked = 0;
+      loop.inliers = 0;
       threads.getThreadAllocatedBytes(self);
       long before = threads.getThreadAllocatedBytes(self);
       for (int i = WARM_UP; i < images.length; ++i) {
@@ -87,6 +94,7 @@ class SteadyStateTest {
       long after = threads.getThreadAllocatedBytes(self);
       assertEquals(0, after - before, "bytes");
       assertEquals(images.length - WARM_UP, loop.tracked);
+      assertTrue(loop.inliers > 40 * loop.tracked, loop.inliers + " tracked points");
     }
   }
 

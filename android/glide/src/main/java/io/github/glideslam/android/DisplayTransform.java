@@ -51,6 +51,14 @@ public final class DisplayTransform {
     imagePixel[1] = -sin * dx + cos * dy + imageHeight / 2f - PIXEL_CENTRE;
   }
 
+  /** The point of the view where a pixel of the image (of TrackedPoints) is seen; outside of it, too. */
+  public void imageToView(float u, float v, float[] viewPoint) {
+    float dx = (u + PIXEL_CENTRE - imageWidth / 2f) * viewPerImage;
+    float dy = (v + PIXEL_CENTRE - imageHeight / 2f) * viewPerImage;
+    viewPoint[0] = cos * dx - sin * dy + viewWidth / 2f;
+    viewPoint[1] = sin * dx + cos * dy + viewHeight / 2f;
+  }
+
   /**
    * Texture coordinates of the camera's image, its first row at t = 0, at the view's corners: lower
    * left, lower right, upper left, upper right (a GL_TRIANGLE_STRIP that fills the view).

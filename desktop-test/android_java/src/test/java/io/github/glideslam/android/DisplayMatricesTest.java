@@ -1,5 +1,6 @@
 package io.github.glideslam.android;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assume.assumeTrue;
 
@@ -80,6 +81,8 @@ public final class DisplayMatricesTest {
         transform.viewToImage(tap[0], tap[1], pixel);
         assertEquals("u at " + rotation, 17, pixel[0], PIXELS);
         assertEquals("v at " + rotation, 31, pixel[1], PIXELS);
+        transform.imageToView(17, 31, pixel);
+        assertArrayEquals("view at " + rotation, tap, pixel, PIXELS);
       }
     }
   }

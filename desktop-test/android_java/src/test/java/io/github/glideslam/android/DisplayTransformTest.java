@@ -48,6 +48,17 @@ public final class DisplayTransformTest {
     assertArrayEquals(new float[] {639.5f, 479.5f}, imagePixel(half, 0, 0), EXACT);
   }
 
+  @Test
+  public void fromTheImageToTheViewIsTheWayBackHoweverItIsTurned() {
+    for (int rotation = 0; rotation < 360; rotation += 90) {
+      DisplayTransform transform = new DisplayTransform(640, 480, rotation, 480, 960);
+      float[] pixel = imagePixel(transform, 37, 801);
+      float[] point = new float[2];
+      transform.imageToView(pixel[0], pixel[1], point);
+      assertArrayEquals(new float[] {37, 801}, point, EXACT);
+    }
+  }
+
   /** A tall view shows the middle of a wide image, at the view's height. */
   @Test
   public void otherShapesShowTheMiddle() {
