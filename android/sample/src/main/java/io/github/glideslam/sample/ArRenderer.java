@@ -7,7 +7,6 @@ import io.github.glideslam.Camera;
 import io.github.glideslam.CameraInput;
 import io.github.glideslam.Frame;
 import io.github.glideslam.GlideException;
-import io.github.glideslam.PointCloud;
 import io.github.glideslam.TrackingState;
 import io.github.glideslam.android.DisplayTransform;
 import io.github.glideslam.android.TextureFrames;
@@ -160,9 +159,7 @@ final class ArRenderer implements GLSurfaceView.Renderer {
     camera.getViewMatrix(view, 0);
     camera.getProjectionMatrix(projection, 0, NEAR, FAR);
     Matrix.multiplyMM(clipFromWorld, 0, projection, 0, view, 0);
-    try (PointCloud cloud = frame.acquirePointCloud()) {
-      points.draw(cloud, clipFromWorld);
-    }
+    points.draw(frame.getTrackedPoints(), transform, width, height);
     cubes.draw(cube, clipFromWorld);
   }
 

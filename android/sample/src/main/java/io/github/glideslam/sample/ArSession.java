@@ -26,6 +26,7 @@ final class ArSession implements AutoCloseable {
     camera = new Camera2Source(context, WANTED, listener);
     Config config = new Config(camera.getCalibration().getIntrinsics());
     config.setGlCacheDir(context.getCacheDir().getPath());
+    config.setTrackedPoints(Config.ReportPoints.ON); // to draw them
     session = new Session(config);
   }
 
