@@ -83,12 +83,17 @@ TEST(SessionStress, MapAndLocateAndSaveMayBeCalledFromOtherThreads) {
     readers.emplace_back([&session] {
       for (int i = 0; i < 30; ++i) {
         EXPECT_NE(session.map(), nullptr);
+        const std::shared_ptr<const FrameMap> of_frame = session.frameMap();
+        EXPECT_EQ(of_frame->view()->revision, of_frame->revision());
         EXPECT_TRUE(session.saveMap().ok());
         EXPECT_EQ(session.locate(i).t_ns, i);
       }
     });
   }
-  for (const ImageU8& image : images) fixture.feed(&session, image);
+  for (const ImageU8& image : images) {
+    fixture.feed(&session, image);
+    EXPECT_NE(session.frameMap()->view(), nullptr);  // as a reader may at the same time
+  }
   for (std::thread& reader : readers) reader.join();
 }
 
