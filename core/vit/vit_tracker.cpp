@@ -1,6 +1,6 @@
 #include "vit/vit_tracker.h"
 
-#include "ar/surfaces.h"
+#include "vit/vit_features.h"
 
 #include "geometry/pose_conversion.h"
 
@@ -18,13 +18,7 @@ using glide::VitFrame;
 
 namespace {
 
-// Images that wait: more would only be older when their turn comes.
-constexpr std::size_t kWaitingImages = 3;
-// A runtime that does not pop poses gets the newest ones.
-constexpr std::size_t kMostPoses = 256;
-constexpr double kSecondsPerNs = 1e-9;
-// Gaps beyond this say nothing about velocity.
-constexpr double kLongestStep_s = 0.5;
+constexpr double kNsPerMs = 1e6;
 
 std::int64_t now_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -65,17 +59,6 @@ vit_pose_data toData(std::int64_t t_ns, const SE3d& T) {
           0.0F};
 }
 
-void addVelocity(const vit_pose_data& before, vit_pose_data* now) {
-  const double step_s = static_cast<double>(now->timestamp - before.timestamp) * kSecondsPerNs;
-  if (!(step_s > 0.0) || step_s > kLongestStep_s) return;
-  const auto rate = [&](float a, float b) {
-    return static_cast<float>(static_cast<double>(b - a) / step_s);
-  };
-  now->vx = rate(before.px, now->px);
-  now->vy = rate(before.py, now->py);
-  now->vz = rate(before.pz, now->pz);
-}
-
 }  // namespace
 
 glide::Result<std::unique_ptr<vit_tracker>> vit_tracker::create(const vit_config& config) {
@@ -105,131 +88,112 @@ vit_result vit_tracker::addCamera(const vit_camera_calibration& calibration) {
 vit_result vit_tracker::start() {
   if (isRunning()) return VIT_SUCCESS;
   if (!glide::validate(config_).ok()) return VIT_ERROR_INVALID_VALUE;
-  last_pose_.reset();
-  auto frames = std::make_shared<FrameQueue>(kWaitingImages);
-  worker_ = std::make_unique<glide::Worker>("glide-vit", [this, frames] { run(frames.get()); });
+  velocity_.forget();
+  auto sequence = std::make_shared<Sequence>();
+  worker_ =
+      std::make_unique<glide::Worker>("glide-vit", [this, sequence] { run(&sequence->frames); });
   const std::lock_guard<std::mutex> lock(mutex_);
-  frames_ = std::move(frames);
+  sequence_ = std::move(sequence);
   return VIT_SUCCESS;
 }
 
 vit_result vit_tracker::stop() {
-  const std::shared_ptr<FrameQueue> frames = this->frames();
-  if (frames == nullptr) return VIT_SUCCESS;
-  frames->close();
+  const std::shared_ptr<Sequence> sequence = this->sequence();
+  if (sequence == nullptr) return VIT_SUCCESS;
+  sequence->frames.close();
   worker_.reset();  // joins
-  const std::lock_guard<std::mutex> lock(mutex_);
-  frames_.reset();
   poses_.clear();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  sequence_.reset();
   return VIT_SUCCESS;
 }
 
-std::shared_ptr<vit_tracker::FrameQueue> vit_tracker::frames() const {
+std::shared_ptr<vit_tracker::Sequence> vit_tracker::sequence() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return frames_;
+  return sequence_;
 }
 
 vit_result vit_tracker::reset() {
-  reset_asked_.store(true);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  poses_.clear();  // of the map that goes
+  poses_.clear();  // of the map that goes; run() notices
   return VIT_SUCCESS;
 }
 
 vit_result vit_tracker::pushImage(const vit_img_sample& sample) {
-  const std::shared_ptr<FrameQueue> frames = this->frames();
-  if (frames == nullptr) return VIT_ERROR_NOT_ENABLED;
+  const std::shared_ptr<Sequence> sequence = this->sequence();
+  if (sequence == nullptr) return VIT_ERROR_NOT_ENABLED;
   if (sample.cam_index > 0) return VIT_SUCCESS;  // monocular: other cameras are not looked at
-  if (sample.timestamp <= last_image_ns_) return VIT_ERROR_INVALID_VALUE;
+  if (sample.timestamp <= sequence->last_image_ns) return VIT_ERROR_INVALID_VALUE;
   const bool has_size = static_cast<int>(sample.width) == config_.camera.width &&
                         static_cast<int>(sample.height) == config_.camera.height;
   if (!has_size) return VIT_ERROR_INVALID_VALUE;
   std::optional<glide::ImageU8> luma = glide::toLuma(sample);
   if (!luma) return VIT_ERROR_INVALID_VALUE;
-  last_image_ns_ = sample.timestamp;
+  sequence->last_image_ns = sample.timestamp;
   VitFrame frame{sample.timestamp, now_ns(), *std::move(luma)};
-  frames->tryPush(frame);  // a frame that finds no room is dropped, as a camera's would be
+  sequence->frames.tryPush(frame);  // one that finds no room is dropped, as a camera's would be
   return VIT_SUCCESS;
 }
 
 vit_result vit_tracker::pushImu(const vit_imu_sample& sample) {
-  if (!isRunning()) return VIT_ERROR_NOT_ENABLED;
-  if (sample.timestamp <= last_imu_ns_) return VIT_ERROR_INVALID_VALUE;
-  last_imu_ns_ = sample.timestamp;  // monocular: the sample itself is not used
+  const std::shared_ptr<Sequence> sequence = this->sequence();
+  if (sequence == nullptr) return VIT_ERROR_NOT_ENABLED;
+  if (sample.timestamp <= sequence->last_imu_ns) return VIT_ERROR_INVALID_VALUE;
+  sequence->last_imu_ns = sample.timestamp;  // monocular: the sample itself is not used
   return VIT_SUCCESS;
 }
 
 void vit_tracker::run(FrameQueue* frames) {
   glide::Result<glide::Session> session = glide::Session::create(config_);
   if (!session) return;  // start() has validated the config: the machine is out of memory
+  std::uint64_t era = poses_.era();
   while (const std::optional<VitFrame> frame = frames->pop()) {
     try {
-      if (reset_asked_.exchange(false)) {
+      if (const std::uint64_t now = poses_.era(); now != era) {  // reset() was called
         session->reset();
-        last_pose_.reset();
+        velocity_.forget();
+        era = now;
       }
-      track(*frame, &*session);
+      if (std::unique_ptr<vit_pose> pose = track(*frame, &*session))
+        poses_.push(std::move(pose), era);
     } catch (const std::exception&) {
-      last_pose_.reset();  // out of memory: this frame has no pose, the next one may
+      velocity_.forget();  // out of memory: this frame has no pose, the next one may
     }
     frames->done();
   }
 }
 
-void vit_tracker::track(const VitFrame& frame, glide::Session* session) {
+std::unique_ptr<vit_pose> vit_tracker::track(const VitFrame& frame, glide::Session* session) {
   const glide::ImageU8& image = frame.luma;
   const glide::Luma luma{image.row(0), image.width(), image.height(), image.stride()};
   const glide::Result<glide::FrameResult> result = session->update({frame.t_ns, luma});
   if (!result || result->state != glide::TrackingState::tracking) {
-    last_pose_.reset();
-    return;
+    velocity_.forget();
+    return nullptr;
   }
-  publish(frame, *result, *session);
+  return toVitPose(frame, *result, *session);
 }
 
-void vit_tracker::publish(const VitFrame& frame,
-                          const glide::FrameResult& result,
-                          const glide::Session& session) {
+std::unique_ptr<vit_pose> vit_tracker::toVitPose(const VitFrame& frame,
+                                                 const glide::FrameResult& result,
+                                                 const glide::Session& session) {
   auto pose = std::make_unique<vit_pose>();
+  const SE3d T_world_cam = glide::fromPose(result.T_world_cam);
   const SE3d T_cam_imu = camera_ ? camera_->T_imu_cam.inverse() : SE3d{};
-  const SE3d T_world_imu = zUpFromCv() * glide::fromPose(result.T_world_cam) * T_cam_imu;
-  pose->data = toData(frame.t_ns, T_world_imu);
-  if (last_pose_) addVelocity(*last_pose_, &pose->data);
-  last_pose_ = pose->data;
+  pose->data = toData(frame.t_ns, zUpFromCv() * T_world_cam * T_cam_imu);
+  velocity_.add(result, &pose->data);
   pose->has_timing = enabled_.has_pose_timing;
   pose->has_features = enabled_.has_pose_features;
-  if (pose->has_features) pose->features = features(result, session);
-  const auto update_ns = static_cast<std::int64_t>(result.stats.update_ms * 1e6);
+  if (pose->has_features) {
+    const std::shared_ptr<const glide::MapView> map = session.frameMap()->view();
+    pose->features = glide::visibleFeatures(*map, config_.camera, T_world_cam.inverse());
+  }
+  const auto update_ns = static_cast<std::int64_t>(result.stats.update_ms * kNsPerMs);
   const std::int64_t known_ns = now_ns();
   pose->timestamps = {frame.pushed_ns, known_ns - update_ns, known_ns};
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (poses_.size() >= kMostPoses) poses_.pop_front();
-  poses_.push_back(std::move(pose));
-}
-
-std::vector<vit_pose_feature> vit_tracker::features(const glide::FrameResult& result,
-                                                    const glide::Session& session) const {
-  std::vector<vit_pose_feature> features;
-  const glide::Result<glide::CameraModel> camera = glide::CameraModel::create(config_.camera);
-  if (!camera) return features;
-  const std::shared_ptr<const glide::MapView> map = session.map();
-  const SE3d T_cam_world = glide::fromPose(result.T_world_cam).inverse();
-  for (const glide::VisiblePoint& point : glide::visiblePoints(*map, *camera, T_cam_world)) {
-    features.push_back({static_cast<std::int64_t>(map->landmarks[point.index].id),
-                        static_cast<float>(point.uv.x()),
-                        static_cast<float>(point.uv.y()),
-                        static_cast<float>(point.p_cam.z())});
-  }
-  return features;
-}
-
-std::unique_ptr<vit_pose> vit_tracker::popPose() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (poses_.empty()) return nullptr;
-  std::unique_ptr<vit_pose> pose = std::move(poses_.front());
-  poses_.pop_front();
   return pose;
 }
+
+std::unique_ptr<vit_pose> vit_tracker::popPose() { return poses_.pop(); }
 
 vit_result vit_tracker::enable(vit_extension extension, bool enable) {
   if (isRunning()) return VIT_ERROR_NOT_ENABLED;

@@ -2,15 +2,16 @@
 
 #include "vit/vit_frame.h"
 #include "vit/vit_pose.h"
+#include "vit/vit_pose_queue.h"
+#include "vit/vit_velocity.h"
 
 #include "base/work_queue.h"
 #include "base/worker.h"
 
 #include "glide/session.h"
 
-#include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -26,7 +27,7 @@ struct vit_tracker {
   vit_result start();
   vit_result stop();
   vit_result reset();
-  bool isRunning() const { return frames() != nullptr; }
+  bool isRunning() const { return sequence() != nullptr; }
 
   vit_result addCamera(const vit_camera_calibration& calibration);
   vit_result pushImage(const vit_img_sample& sample);
@@ -40,33 +41,39 @@ struct vit_tracker {
  private:
   using FrameQueue = glide::WorkQueue<glide::VitFrame>;
 
+  // Images that wait: more would only be older when their turn comes.
+  static constexpr std::size_t kWaitingImages = 3;
+
+  /// What comes in from start() to stop(): times start over with the next one.
+  struct Sequence {
+    FrameQueue frames{kWaitingImages};
+    std::int64_t last_image_ns = INT64_MIN;  ///< of the thread that pushes images
+    std::int64_t last_imu_ns = INT64_MIN;    ///< of the thread that pushes IMU samples
+  };
+
   vit_tracker() = default;
   /// Null unless the tracker runs.
-  std::shared_ptr<FrameQueue> frames() const;
+  std::shared_ptr<Sequence> sequence() const;
   void run(FrameQueue* frames);
-  void track(const glide::VitFrame& frame, glide::Session* session);
-  void publish(const glide::VitFrame& frame,
-               const glide::FrameResult& result,
-               const glide::Session& session);
-  std::vector<vit_pose_feature> features(const glide::FrameResult& result,
-                                         const glide::Session& session) const;
+  /// Null when the frame has no pose.
+  std::unique_ptr<vit_pose> track(const glide::VitFrame& frame, glide::Session* session);
+  std::unique_ptr<vit_pose> toVitPose(const glide::VitFrame& frame,
+                                      const glide::FrameResult& result,
+                                      const glide::Session& session);
 
   // Before start(), and constant while it runs.
   glide::Config config_;
   std::optional<glide::VitCamera> camera_;
   vit_extension_set enabled_{true, true, false, false};
 
-  // The runtime's threads: one that pushes images, one that pushes IMU samples, one that starts and
-  // stops.
-  std::int64_t last_image_ns_ = INT64_MIN, last_imu_ns_ = INT64_MIN;
+  // The runtime's thread that starts and stops.
   std::unique_ptr<glide::Worker> worker_;
 
   // Between the threads.
-  std::atomic<bool> reset_asked_{false};
-  mutable std::mutex mutex_;  ///< guards the two below
-  std::shared_ptr<FrameQueue> frames_;
-  std::deque<std::unique_ptr<vit_pose>> poses_;
+  mutable std::mutex mutex_;  ///< guards sequence_
+  std::shared_ptr<Sequence> sequence_;
+  glide::VitPoseQueue poses_;
 
   // The tracking thread.
-  std::optional<vit_pose_data> last_pose_;
+  glide::VitVelocity velocity_;
 };

@@ -210,9 +210,12 @@ TEST_F(VitTest, StopsResetsAndStartsAgain) {
   ASSERT_EQ(VIT(vit_tracker_add_camera_calibration)(tracker_, &camera), VIT_SUCCESS);
   const ImageU8 image = sequence_.imageAt(0.0);
   bool running = true;
-  for (std::int64_t round = 1; round < 5; ++round) {
+  for (int round = 0; round < 4; ++round) {
     ASSERT_EQ(VIT(vit_tracker_start)(tracker_), VIT_SUCCESS);
-    for (std::int64_t i = 0; i < 10; ++i) push(image, round * 1000 + i);
+    // Times start over with each sequence.
+    for (std::int64_t i = 0; i < 10; ++i) EXPECT_EQ(push(image, 1000 + i), VIT_SUCCESS);
+    const vit_imu_sample sample{1000, 0, 0, 9.8F, 0, 0, 0};
+    EXPECT_EQ(VIT(vit_tracker_push_imu_sample)(tracker_, &sample), VIT_SUCCESS);
     EXPECT_EQ(VIT(vit_tracker_reset)(tracker_), VIT_SUCCESS);
     ASSERT_EQ(VIT(vit_tracker_stop)(tracker_), VIT_SUCCESS);
     ASSERT_EQ(VIT(vit_tracker_is_running)(tracker_, &running), VIT_SUCCESS);
