@@ -3,6 +3,7 @@
 #include "geometry/camera_model.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace glide {
 namespace {
@@ -13,6 +14,9 @@ constexpr int kHalf = 128;
 
 // Beyond these a sensor's size is a broken sample.
 constexpr std::uint32_t kLargestSide = 16384;
+
+// R R^T may be this far from the identity: calibration files carry as few as three digits.
+constexpr double kRotationTolerance = 0.01;
 
 std::uint32_t bytesPerPixel(vit_image_format format) {
   return format == VIT_IMAGE_FORMAT_R8G8B8 ? 3 : 1;
@@ -62,10 +66,21 @@ std::optional<std::uint32_t> coefficientCount(const vit_camera_calibration& cali
   return std::nullopt;
 }
 
-SE3d rigidOf(const double (&m)[16]) {
+/// Also false for what is not finite.
+bool isRotation(const Mat3d& R) {
+  const double off = (R * R.transpose() - Mat3d::Identity()).cwiseAbs().maxCoeff();
+  return R.allFinite() && off < kRotationTolerance && R.determinant() > 0.0;
+}
+
+/// The identity when nothing was filled in.
+Result<SE3d> rigidOf(const double (&m)[16]) {
+  if (std::all_of(std::begin(m), std::end(m), [](double x) { return x == 0.0; })) return SE3d{};
   Mat3d R;
   R << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
-  return {Eigen::Quaterniond(R).normalized(), Vec3d(m[3], m[7], m[11])};
+  const Vec3d t(m[3], m[7], m[11]);
+  if (!isRotation(R) || !t.allFinite())
+    return Error{ErrorCode::invalid_argument, "transform is no rotation and translation"};
+  return SE3d{Eigen::Quaterniond(R).normalized(), t};
 }
 
 }  // namespace
@@ -98,9 +113,11 @@ Result<VitCamera> toCamera(const vit_camera_calibration& calibration) {
                                        : DistortionModel::radial_tangential;
   }
   camera.intrinsics.coefficients.assign(calibration.distortion, calibration.distortion + *count);
-  camera.T_imu_cam = rigidOf(calibration.transform);
   const Result<CameraModel> model = CameraModel::create(camera.intrinsics);
   if (!model) return model.error();
+  const Result<SE3d> T_imu_cam = rigidOf(calibration.transform);
+  if (!T_imu_cam) return T_imu_cam.error();
+  camera.T_imu_cam = *T_imu_cam;
   return camera;
 }
 

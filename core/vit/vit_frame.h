@@ -29,7 +29,8 @@ struct VitCamera {
   SE3d T_imu_cam;
 };
 
-/// invalid_argument when the numbers are no camera; unsupported for lens models we lack (RT8 with
+/// A transform of zeros is the identity. invalid_argument when the numbers are no camera, or the
+/// transform is not rigid; unsupported for lens models we lack (RT8 with
 /// coefficients beyond the fifth).
 Result<VitCamera> toCamera(const vit_camera_calibration& calibration);
 

@@ -243,6 +243,9 @@ TEST_F(VitTest, NeedsACameraAndRefusesLensesThatItLacks) {
   camera.distortion[6] = 0.0;
   camera.distortion[8] = -1.0;  // a validity radius that is not known
   EXPECT_EQ(VIT(vit_tracker_add_camera_calibration)(tracker_, &camera), VIT_SUCCESS);
+  camera.transform[0] = std::nan("");
+  EXPECT_EQ(VIT(vit_tracker_add_camera_calibration)(tracker_, &camera), VIT_ERROR_INVALID_VALUE);
+  camera.transform[0] = 1.0;
   camera.fx = 0.0;
   EXPECT_EQ(VIT(vit_tracker_add_camera_calibration)(tracker_, &camera), VIT_ERROR_INVALID_VALUE);
 }
