@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace glide {
 namespace {
@@ -64,7 +65,8 @@ glide_status AppSession::update(const glide_image& image, glide_frame* frame) {
   const Result<FrameResult> result = session_.update(*input);
   // A refused frame may have made GL objects, too; without a context there are none.
   const bool has_context = result || result.error().code != ErrorCode::missing_context;
-  if (has_context && session_.backend().backend == Backend::gles)
+  const bool is_texture = !std::holds_alternative<Luma>(input->image);
+  if (has_context && (is_texture || session_.backend().backend == Backend::gles))
     gl_thread_ = std::this_thread::get_id();
   if (!isSame(session_.backend(), *backend_.load()))
     backend_.store(std::make_shared<const BackendInfo>(session_.backend()));
@@ -79,10 +81,10 @@ glide_status AppSession::answer(const FrameResult& result, glide_frame* frame) {
   const std::shared_ptr<const AppState> before = state_.load();
   changeState([&](AppState* state) {
     state->take(result, session_.frameMap(), session_.trackedPoints());
-    writeSized(toC(result, state->world), frame);
+    writeSized(toC(state->last, state->world), frame);
     return kDone;
   });
-  logFrame(before->last, result);
+  logFrame(before->last, state_.load()->last);
   return kDone;
 }
 
@@ -163,6 +165,11 @@ std::shared_ptr<const AppSession::AppMap> AppSession::map() const {
   std::shared_ptr<const MapView> view = session_.map();
   const AppWorld world = state->worldOf(view->generation);
   return std::make_shared<const AppMap>(AppMap{std::move(view), world});
+}
+
+std::shared_ptr<const AppSession::AppMap> AppSession::frameMap() const {
+  const std::shared_ptr<const AppState> state = state_.load();
+  return std::make_shared<const AppMap>(AppMap{state->mapView(), state->world});
 }
 
 Result<std::vector<std::byte>> AppSession::saveMap() const { return session_.saveMap(); }

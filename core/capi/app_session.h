@@ -66,6 +66,8 @@ class AppSession {
     AppWorld world;
   };
   std::shared_ptr<const AppMap> map() const;
+  /// That of the last frame.
+  std::shared_ptr<const AppMap> frameMap() const;
   Result<std::vector<std::byte>> saveMap() const;
   Status saveMap(const char* path) const;
   /// Takes its turn after the file is read, and waits for the mapper after that.

@@ -30,8 +30,15 @@ void AppState::take(const FrameResult& result,
                     const std::vector<TrackedPoint>& points) {
   world = worldOf(result.map_generation);
   last = result;
+  const bool has_map = result.map_revision != 0;
+  if (isTracking() && !has_map) {
+    last.state = TrackingState::initializing;
+    last.initialization.status = InitializationStatus::done;
+    last.tracker = TrackerKind::none;
+    last.confidence = 0.0;
+  }
   map = std::move(map_of_result);
-  tracked_points = points;
+  tracked_points = isTracking() ? points : std::vector<TrackedPoint>{};
 }
 
 }  // namespace glide

@@ -30,7 +30,8 @@ struct AppState {
   AppWorld worldOf(std::uint64_t generation) const;
   /// Another map, or none, takes the place of the present one.
   void replaceMap();
-  /// The answer to a frame.
+  /// The answer to a frame. The one that starts a map while mapping is threaded has a pose, but no
+  /// map to hang anything on: to an app it is the last one of initialising.
   void take(const FrameResult& result,
             std::shared_ptr<const FrameMap> map_of_result,
             const std::vector<TrackedPoint>& points);

@@ -151,6 +151,8 @@ Result<Config> toConfig(const glide_config& given) {
 Result<FrameInput> toFrameInput(const glide_image& image) {
   FrameInput input;
   input.t_ns = image.t_ns;
+  input.exposure_ns = image.exposure_ns;
+  input.rolling_shutter_skew_ns = image.rolling_shutter_skew_ns;
   switch (image.kind) {
     case GLIDE_IMAGE_LUMA8:
       input.image = Luma{
@@ -202,6 +204,7 @@ glide_frame toC(const FrameResult& result, const AppWorld& world) {
   frame.confidence = f(result.confidence);
   frame.keyframe = result.stats.keyframe ? 1 : 0;
   frame.map_revision = result.map_revision;
+  frame.map_generation = result.map_generation;
   frame.correction_scale = 1.0F;
   if (result.correction) copyCorrection(*result.correction, world, &frame);
   frame.visible = result.stats.visible;

@@ -5,6 +5,7 @@
 
 #include "glide/glide.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,16 @@ glide_status withMap(const glide_map* handle, Function&& function) noexcept {
   });
 }
 
+using GetMap = std::shared_ptr<const AppMap> (AppSession::*)() const;
+
+glide_status acquire(glide_session* session, glide_map** map, GetMap get) {
+  return withSession(session, [&](AppSession& app) {
+    if (map == nullptr) return refuseArgument("map is null");
+    *map = mapTable().add((app.*get)());
+    return kDone;
+  });
+}
+
 std::vector<std::byte> readAll(const glide_io& io) {
   std::vector<std::byte> bytes;
   for (;;) {
@@ -54,11 +65,11 @@ using namespace glide;  // NOLINT(google-build-using-namespace): the file is the
 extern "C" {
 
 glide_status glide_map_acquire(glide_session* session, glide_map** map) {
-  return withSession(session, [&](AppSession& app) {
-    if (map == nullptr) return refuseArgument("map is null");
-    *map = mapTable().add(app.map());
-    return kDone;
-  });
+  return acquire(session, map, &AppSession::map);
+}
+
+glide_status glide_map_acquire_frame(glide_session* session, glide_map** map) {
+  return acquire(session, map, &AppSession::frameMap);
 }
 
 void glide_map_release(glide_map* map) {
@@ -72,6 +83,14 @@ glide_status glide_map_revision(const glide_map* map, uint64_t* revision) {
   return withMap(map, [&](const AppMap& app) {
     if (revision == nullptr) return refuseArgument("revision is null");
     *revision = app.view->revision;
+    return kDone;
+  });
+}
+
+glide_status glide_map_generation(const glide_map* map, uint64_t* generation) {
+  return withMap(map, [&](const AppMap& app) {
+    if (generation == nullptr) return refuseArgument("generation is null");
+    *generation = app.view->generation;
     return kDone;
   });
 }

@@ -91,21 +91,21 @@ std::shared_ptr<const MapView> Session::Impl::view() const {
   return shown(mapOf(generation), generation)->view();
 }
 
-std::shared_ptr<const FrameMap> Session::Impl::shown(const std::shared_ptr<const MapSnapshot>& map,
-                                                     std::uint64_t generation) const {
-  const auto is_same = [&](const FrameMap& other) {
+std::shared_ptr<const SnapshotMap> Session::Impl::shown(
+    const std::shared_ptr<const MapSnapshot>& map, std::uint64_t generation) const {
+  const auto is_same = [&](const SnapshotMap& other) {
     return other.generation() == generation && other.revision() == map->revision();
   };
   if (auto of_frame = frame_map_.load(); is_same(*of_frame)) return of_frame;
   if (auto newest = newest_map_.load(); is_same(*newest)) return newest;
-  auto made = std::make_shared<const FrameMap>(map, generation, resets_.load());
+  auto made = std::make_shared<const SnapshotMap>(map, generation, resets_.load());
   newest_map_.store(made);
   return made;
 }
 
 LocatedCamera Session::Impl::locate(std::int64_t t_ns) const {
   const std::shared_ptr<const PoseTimeline> timeline = timeline_.load();
-  const std::shared_ptr<const FrameMap> map = frame_map_.load();
+  const std::shared_ptr<const SnapshotMap> map = frame_map_.load();
   const bool is_of_map = map->generation() == timeline->generation();
   return timeline->at(t_ns, is_of_map ? map->snapshot() : *no_map_);
 }

@@ -35,7 +35,7 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
       back_end_(config, camera),
       no_map_(std::make_shared<const MapSnapshot>()),
       timeline_(std::make_shared<const PoseTimeline>(kFirstGeneration)),
-      frame_map_(std::make_shared<const FrameMap>(no_map_, kFirstGeneration, 0)),
+      frame_map_(std::make_shared<const SnapshotMap>(no_map_, kFirstGeneration, 0)),
       newest_map_(frame_map_.load()),
       backend_(aligner.info),
       indirect_(config, camera),
@@ -251,12 +251,16 @@ void Session::Impl::forgetMap() {
 }
 
 FrameResult Session::Impl::pausedResult(std::int64_t t_ns) {
-  frame_map_.store(shown(map(), generation()));
+  const std::shared_ptr<const SnapshotMap> before = frame_map_.load();
+  const std::shared_ptr<const SnapshotMap> now = shown(map(), generation());
+  frame_map_.store(now);
   FrameResult result;
   result.t_ns = t_ns;
   result.state = TrackingState::paused;
+  result.map_revision = now->revision();
   result.map_generation = generation();
-  describePose(last_pose_, frame_map_.load()->snapshot(), &result);
+  result.correction = correctionBetween(before->snapshot(), now->snapshot(), last_pose_);
+  describePose(last_pose_, now->snapshot(), &result);
   return result;
 }
 

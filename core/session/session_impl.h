@@ -4,6 +4,7 @@
 #include "session/back_end.h"
 #include "session/frame_reader.h"
 #include "session/pose_timeline.h"
+#include "session/snapshot_map.h"
 #include "track/direct_tracker.h"
 #include "track/indirect_tracker.h"
 #include "track/initializer.h"
@@ -98,8 +99,8 @@ class Session::Impl {
   std::shared_ptr<const MapSnapshot> currentMap();
   void forgetMap();
   /// A snapshot to look at; the same one until there is a new revision.
-  std::shared_ptr<const FrameMap> shown(const std::shared_ptr<const MapSnapshot>& map,
-                                        std::uint64_t generation) const;
+  std::shared_ptr<const SnapshotMap> shown(const std::shared_ptr<const MapSnapshot>& map,
+                                           std::uint64_t generation) const;
   void countSightings(const TrackedFrame& tracked);
   NewKeyframe makeKeyframe(const Frame& frame, const TrackedFrame& tracked);
   FrameResult pausedResult(std::int64_t t_ns);
@@ -109,14 +110,15 @@ class Session::Impl {
   /// Time since the last lap when the back end works inside update(), else zero.
   double inlineMs(Stopwatch* watch) const;
 
+  // Any thread.
   const Config config_;
   const CameraModel camera_;
   BackEnd back_end_;
   std::atomic<std::uint64_t> resets_{0};
   const std::shared_ptr<const MapSnapshot> no_map_;
   Published<PoseTimeline> timeline_;
-  Published<FrameMap> frame_map_;
-  mutable Published<FrameMap> newest_map_;  ///< of those that shown() has made
+  Published<SnapshotMap> frame_map_;
+  mutable Published<SnapshotMap> newest_map_;  ///< of those that shown() has made
 
   // The thread of update().
   BackendInfo backend_;

@@ -70,6 +70,8 @@ struct HardwareBuffer {
 struct FrameInput {
   std::int64_t t_ns = 0;  ///< nanoseconds in the camera's clock, strictly increasing
   std::variant<Luma, Texture, HardwareBuffer> image;
+  std::int64_t exposure_ns = 0;              ///< 0: unknown. Not used yet.
+  std::int64_t rolling_shutter_skew_ns = 0;  ///< first to last row; 0: none, or unknown. Not used.
 };
 
 /// How far the start of a map has come.

@@ -6,8 +6,9 @@
  * Scale is arbitrary (monocular) until glide_session_set_metric_scale. World: the first keyframe's
  * camera, turned upright by glide_session_set_gravity, in the axes of glide_config.axes.
  *
- * Threads. Every function may be called from any thread. Those that look wait for nobody; update,
- * release_gl, abandon_gl, pause, resume, reset and map_load take turns (docs/c-api.md: a table).
+ * Threads. Every function may be called from any thread. Those that look wait for no
+ * update and no mapping, at most for each other's copy of a map; update, release_gl, abandon_gl,
+ * pause, resume, reset and map_load take turns (docs/c-api.md: a table).
  * With the GLES backend update, release_gl and destroy need the app's GL context current, and the
  * thread of the first update owns the GL objects until glide_session_release_gl or _abandon_gl:
  * update elsewhere is GLIDE_ERROR_WRONG_THREAD. update never waits for mapping.
@@ -116,8 +117,8 @@ GLIDE_C_API glide_status glide_session_hit_test(
     glide_session* session, const float uv[2], size_t capacity, glide_hit* hits, size_t* count);
 
 /* Anchors keep their place in the scene when the map is corrected, which update tells: between two
- * updates points, hits and anchors are of the map that the last frame was tracked in. NOT_TRACKING
- * without a map, as in a frame that starts one while mapping is threaded. */
+ * updates points, hits and anchors are of the map that the last frame was tracked in, and so must
+ * be the pose that one is made at. NOT_TRACKING without a map. */
 GLIDE_C_API glide_status glide_anchor_create(glide_session* session,
                                              const glide_pose* pose,
                                              uint64_t* anchor);
@@ -129,8 +130,14 @@ GLIDE_C_API glide_status glide_anchor_destroy(glide_session* session, uint64_t a
 /* The complete map at one revision; readable from any thread until released, also after the
  * session. Empty from reset on until there is a new one. */
 GLIDE_C_API glide_status glide_map_acquire(glide_session* session, glide_map** map);
+/* The same as the last frame was tracked in: what its pose, points, hits and anchors are of, while
+ * the newest may be corrected already. Since ABI 1.2. */
+GLIDE_C_API glide_status glide_map_acquire_frame(glide_session* session, glide_map** map);
 GLIDE_C_API void glide_map_release(glide_map* map);
 GLIDE_C_API glide_status glide_map_revision(const glide_map* map, uint64_t* revision);
+/* As glide_frame.map_generation: poses of different generations are of different worlds. Since ABI
+ * 1.2. */
+GLIDE_C_API glide_status glide_map_generation(const glide_map* map, uint64_t* generation);
 GLIDE_C_API glide_status glide_map_points(const glide_map* map,
                                           size_t capacity,
                                           glide_point* points,

@@ -10,14 +10,15 @@
 
 /* Version of this ABI. Another major number is another ABI; a higher minor number only adds. */
 #define GLIDE_ABI_MAJOR 1
-#define GLIDE_ABI_MINOR 1
+#define GLIDE_ABI_MINOR 2
 
 /* Zeroes a size-tagged struct and tells its size: glide_config config; GLIDE_INIT(config); */
 #define GLIDE_INIT(object) \
   (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = (uint32_t)sizeof(object)))
 
-/* 0: done. Negative: not done, nothing has changed, glide_last_error() says why. Positive: done,
- * with something to know. Numbers that ARCore has mean here what they mean there. */
+/* 0: done. Negative: not done, nothing has changed (after FATAL the frame counts as seen),
+ * glide_last_error() says why. Positive: done, with something to know. Numbers that ARCore has mean
+ * here what they mean there. */
 typedef int32_t glide_status;
 enum {
   GLIDE_OK = 0,
@@ -102,17 +103,18 @@ enum {
 /* One camera frame. What does not belong to its kind is ignored. */
 typedef struct glide_image {
   uint32_t struct_size;
-  int32_t kind;          /* GLIDE_IMAGE_* */
-  int64_t t_ns;          /* nanoseconds in the camera's clock, strictly increasing */
-  int32_t width, height; /* px; the config's */
-  const uint8_t* pixels; /* LUMA8: read only during the call */
-  int64_t row_stride;    /* LUMA8: bytes, at least width */
-  uint32_t texture;      /* TEXTURE_*: GL name */
-  float transform[16];   /* TEXTURE_*: column-major (SurfaceTexture.getTransformMatrix); all zero:
-                            identity */
-  void* hardware_buffer; /* HARDWARE_BUFFER: AHardwareBuffer* */
-  int64_t exposure_ns;   /* 0: unknown. Kept for later use. */
-  int64_t rolling_shutter_skew_ns; /* 0: global shutter or unknown. Kept for later use. */
+  int32_t kind;                    /* GLIDE_IMAGE_* */
+  int64_t t_ns;                    /* nanoseconds in the camera's clock, strictly increasing */
+  int32_t width, height;           /* px; the config's */
+  const uint8_t* pixels;           /* LUMA8: read only during the call */
+  int64_t row_stride;              /* LUMA8: bytes, at least width */
+  uint32_t texture;                /* TEXTURE_*: GL name */
+  float transform[16];             /* TEXTURE_*, HARDWARE_BUFFER: column-major, as of
+                                      SurfaceTexture.getTransformMatrix; all zero: (s, 1 - t), for an image
+                                      whose first row is the uppermost (docs/inputs.md) */
+  void* hardware_buffer;           /* HARDWARE_BUFFER: AHardwareBuffer* */
+  int64_t exposure_ns;             /* 0: unknown. Not used yet. */
+  int64_t rolling_shutter_skew_ns; /* 0: global shutter or unknown. Not used yet. */
 } glide_image;
 
 enum {
@@ -171,6 +173,8 @@ typedef struct glide_frame {
   float start_parallax_deg; /* median parallax of these */
   int32_t start_landmarks;  /* that the best start would have */
   int32_t reserved;
+  uint64_t map_generation; /* grows when a new map, with a world of its own, is begun: after reset,
+                              load or a start that failed; scale and gravity are arbitrary again */
 } glide_frame;
 
 enum { GLIDE_LOCATION_VALID = 1, GLIDE_LOCATION_TRACKED = 2 };

@@ -73,7 +73,7 @@ class GLIDE_API Session {
   /// Frees what the session has in the GL context, which is current: before an app gives its
   /// context away. The map stays; the next update() chooses the backend anew, in the context that
   /// is current then (any context, any driver), and tracking goes on: the frame is placed by the
-  /// indirect tracker. Without a context, like abandonGl(). Nothing with Backend::cpu.
+  /// indirect tracker. Without a context, like abandonGl(). Nothing with Backend::cpu and pixels.
   void releaseGl();
   /// The same when the context is gone or lost: forgets the GL names without a GL call.
   void abandonGl();

@@ -1,7 +1,5 @@
 #include "capi/app_state.h"
 
-#include "map/map_snapshot.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -11,8 +9,23 @@ namespace {
 
 constexpr std::uint64_t kGeneration = 4;
 
+class EmptyMap final : public FrameMap {
+ public:
+  explicit EmptyMap(std::uint64_t generation) : generation_(generation) {}
+  std::uint64_t generation() const override { return generation_; }
+  std::uint64_t revision() const override { return 1; }
+  std::shared_ptr<const MapView> view() const override {
+    auto view = std::make_shared<MapView>();
+    view->generation = generation_;
+    return view;
+  }
+
+ private:
+  std::uint64_t generation_;
+};
+
 std::shared_ptr<const FrameMap> mapOf(std::uint64_t generation) {
-  return std::make_shared<const FrameMap>(std::make_shared<const MapSnapshot>(), generation, 0);
+  return std::make_shared<const EmptyMap>(generation);
 }
 
 /// Tracked in a world that the app has scaled.
@@ -20,6 +33,7 @@ AppState scaled() {
   AppState state{AppWorld(AppAxes::gl), {}, {}, {}, {}};
   FrameResult result;
   result.state = TrackingState::tracking;
+  result.map_revision = 1;
   result.map_generation = kGeneration;
   state.take(result, mapOf(kGeneration), {TrackedPoint{}});
   state.world.scaleBy(3.0);
@@ -42,6 +56,17 @@ TEST(AppState, BeginsANewWorldWithAnotherMap) {
   ++next.map_generation;
   state.take(next, mapOf(next.map_generation), {});
   EXPECT_EQ(state.world.scale(), 1.0);
+}
+
+TEST(AppState, IsInitializingUntilThereIsAMapToHangThingsOn) {
+  AppState state = scaled();
+  FrameResult start = state.last;
+  ++start.map_generation;
+  start.map_revision = 0;
+  state.take(start, mapOf(start.map_generation), {TrackedPoint{}});
+  EXPECT_EQ(state.last.state, TrackingState::initializing);
+  EXPECT_EQ(state.last.tracker, TrackerKind::none);
+  EXPECT_TRUE(state.tracked_points.empty());
 }
 
 TEST(AppState, ShowsAMapThatTheAppHasNotSeenInAWorldOfItsOwn) {

@@ -132,14 +132,25 @@ TEST_F(CScene, KeepsAnchorsByTheirIds) {
   EXPECT_EQ(glide_anchor_create(walk_.session(), &pose, &id), GLIDE_ERROR_INVALID_ARGUMENT);
 }
 
+/// Walks to the first frame with a pose, while the mapper works on a thread of its own.
+struct ThreadedStart {
+  ThreadedStart() {
+    while (frame.state != GLIDE_STATE_TRACKING && frames < 2 * kFrames) {
+      EXPECT_EQ(frame.state, GLIDE_STATE_INITIALIZING);
+      frame = walk.walk(++frames);
+      EXPECT_EQ(glide_session_wait_for_mapping(walk.session()), GLIDE_OK);
+    }
+  }
+  CWalk walk{GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED};
+  glide_frame frame{};
+  int frames = 0;
+};
+
 TEST(CSceneOfThreads, KeepsTheScaleThatWasSetOnTheFirstTrackedFrame) {
-  CWalk walk(GLIDE_AXES_GL, GLIDE_EXECUTION_THREADED);
-  int frames = 1;
-  while (walk.walk(frames).state != GLIDE_STATE_TRACKING && frames < 60) ++frames;
+  ThreadedStart start;
+  CWalk& walk = start.walk;
   ASSERT_EQ(glide_session_set_metric_scale(walk.session(), 3.0F), GLIDE_OK) << glide_last_error();
-  walk.walk(++frames);  // the mapper has not published the map: the frame has no pose
-  ASSERT_EQ(glide_session_wait_for_mapping(walk.session()), GLIDE_OK);
-  ASSERT_EQ(walk.walk(++frames).state, GLIDE_STATE_TRACKING);
+  ASSERT_EQ(walk.walk(start.frames + 1).state, GLIDE_STATE_TRACKING);
   std::vector<glide_point> points(2000);
   std::size_t count = 0;
   ASSERT_EQ(glide_session_point_cloud(walk.session(), points.size(), points.data(), &count),
@@ -155,12 +166,17 @@ TEST(CSceneOfThreads, KeepsTheScaleThatWasSetOnTheFirstTrackedFrame) {
 class CSceneBeingMapped : public ::testing::Test {
  protected:
   CSceneBeingMapped() {
-    while (frame_.state != GLIDE_STATE_TRACKING && frames_ < kFrames) walkOn();
-    mapAll();
     do walkOn();
-    while (frame_.keyframe == 0 && frames_ < 3 * kFrames);
+    while (!isNewKeyframe() && frames_ < 3 * kFrames);
   }
-  void walkOn() { frame_ = walk_.walk(++frames_); }
+  bool isNewKeyframe() const {
+    return frame_.state == GLIDE_STATE_TRACKING && frame_.keyframe != 0;
+  }
+  /// Lets the mapper finish before.
+  void walkOn() {
+    mapAll();
+    frame_ = walk_.walk(++frames_);
+  }
   void mapAll() { EXPECT_EQ(glide_session_wait_for_mapping(walk_.session()), GLIDE_OK); }
 
   std::vector<float> depths() const {
@@ -172,11 +188,14 @@ class CSceneBeingMapped : public ::testing::Test {
     for (std::size_t i = 0; i < count; ++i) z.push_back(points[i].z);
     return z;
   }
-  std::uint64_t mapRevision() const {
+  using Acquire = glide_status (*)(glide_session*, glide_map**);
+  std::uint64_t revisionOf(Acquire acquire) const {
     glide_map* map = nullptr;
-    EXPECT_EQ(glide_map_acquire(walk_.session(), &map), GLIDE_OK);
-    std::uint64_t revision = 0;
+    EXPECT_EQ(acquire(walk_.session(), &map), GLIDE_OK);
+    std::uint64_t revision = 0, generation = 0;
     EXPECT_EQ(glide_map_revision(map, &revision), GLIDE_OK);
+    EXPECT_EQ(glide_map_generation(map, &generation), GLIDE_OK);
+    EXPECT_EQ(generation, frame_.map_generation);
     glide_map_release(map);
     return revision;
   }
@@ -191,6 +210,14 @@ class CSceneBeingMapped : public ::testing::Test {
   int frames_ = 0;
 };
 
+TEST(CSceneOfThreads, CanHangAnAnchorOnTheFirstTrackedFrame) {
+  const ThreadedStart start;
+  ASSERT_EQ(start.frame.state, GLIDE_STATE_TRACKING);
+  std::uint64_t id = 0;
+  EXPECT_EQ(glide_anchor_create(start.walk.session(), &start.frame.camera, &id), GLIDE_OK)
+      << glide_last_error();
+}
+
 TEST_F(CSceneBeingMapped, IsOfTheMapThatTheFrameWasTrackedIn) {
   const std::vector<float> depths_before = depths();
   std::uint64_t id = 0;
@@ -199,7 +226,8 @@ TEST_F(CSceneBeingMapped, IsOfTheMapThatTheFrameWasTrackedIn) {
   ASSERT_EQ(glide_anchor_create(walk_.session(), &pose, &id), GLIDE_OK) << glide_last_error();
   const std::uint64_t revision = anchor(id).revision;
   mapAll();
-  ASSERT_GT(mapRevision(), frame_.map_revision);
+  ASSERT_GT(revisionOf(glide_map_acquire), frame_.map_revision);
+  EXPECT_EQ(revisionOf(glide_map_acquire_frame), frame_.map_revision);
   EXPECT_EQ(depths(), depths_before);
   EXPECT_EQ(anchor(id).revision, revision);
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(anchor(id).pose.p[k], pose.p[k]);

@@ -84,6 +84,17 @@ TEST(FrameMap, StaysWhileTheMapperGoesOn) {
   EXPECT_EQ(before->view()->revision, frame.map_revision);
 }
 
+TEST(FrameMap, OfAPausedFrameIsTheNewest) {
+  SequenceFixture fixture;
+  Session session = makeSession(Execution::inline_);
+  for (int i = 0; i < kFrames; ++i) fixture.feed(&session, fixture.imageAt(i * kStep_m));
+  session.pause();
+  const FrameResult paused = fixture.feed(&session, fixture.blank());
+  ASSERT_EQ(paused.state, TrackingState::paused);
+  EXPECT_EQ(paused.map_revision, session.map()->revision);
+  EXPECT_EQ(session.frameMap()->view(), session.map());
+}
+
 TEST(FrameMap, IsEmptyFromAResetOn) {
   SequenceFixture fixture;
   Session session = makeSession(Execution::inline_);

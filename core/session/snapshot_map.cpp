@@ -1,8 +1,8 @@
-#include "glide/frame_map.h"
-
-#include "map/map_snapshot.h"
+#include "session/snapshot_map.h"
 
 #include "geometry/pose_conversion.h"
+
+#include "glide/frame_map.h"
 
 #include <algorithm>
 #include <utility>
@@ -53,14 +53,14 @@ MapView viewOf(const MapSnapshot& snapshot) {
 
 }  // namespace
 
-FrameMap::FrameMap(std::shared_ptr<const MapSnapshot> snapshot,
-                   std::uint64_t generation,
-                   std::uint64_t resets)
+FrameMap::~FrameMap() = default;
+
+SnapshotMap::SnapshotMap(std::shared_ptr<const MapSnapshot> snapshot,
+                         std::uint64_t generation,
+                         std::uint64_t resets)
     : snapshot_(std::move(snapshot)), generation_(generation), resets_(resets) {}
 
-std::uint64_t FrameMap::revision() const { return snapshot_->revision(); }
-
-std::shared_ptr<const MapView> FrameMap::view() const {
+std::shared_ptr<const MapView> SnapshotMap::view() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (view_) return view_;
   auto view = std::make_shared<MapView>(viewOf(*snapshot_));
