@@ -63,6 +63,7 @@ constexpr std::size_t kNumbers[] = {
     offsetof(glide_frame, start_matches),
     offsetof(glide_frame, start_parallax_deg),
     offsetof(glide_frame, start_landmarks),
+    offsetof(glide_frame, map_generation),
 
     sizeof(glide_location),
     offsetof(glide_location, flags),

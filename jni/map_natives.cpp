@@ -14,9 +14,13 @@
 namespace glide_jni {
 namespace {
 
-jlong JNICALL acquireMap(JNIEnv* env, jclass /*type*/, jlong session) {
+using AcquireCall = glide_status (*)(glide_session*, glide_map**);
+
+/// acquireMap and acquireFrameMap.
+template <AcquireCall call>
+jlong JNICALL acquire(JNIEnv* env, jclass /*type*/, jlong session) {
   glide_map* map = nullptr;
-  guarded(env, [&] { return glide_map_acquire(handleOf<glide_session>(session), &map); });
+  guarded(env, [&] { return call(handleOf<glide_session>(session), &map); });
   return numberOf(map);
 }
 
@@ -24,10 +28,14 @@ void JNICALL releaseMap(JNIEnv* /*env*/, jclass /*type*/, jlong map) {
   glide_map_release(handleOf<glide_map>(map));
 }
 
-jlong JNICALL mapRevision(JNIEnv* env, jclass /*type*/, jlong map) {
-  std::uint64_t revision = 0;
-  guarded(env, [&] { return glide_map_revision(handleOf<glide_map>(map), &revision); });
-  return static_cast<jlong>(revision);
+using NumberCall = glide_status (*)(const glide_map*, std::uint64_t*);
+
+/// mapRevision and mapGeneration.
+template <NumberCall call>
+jlong JNICALL mapNumber(JNIEnv* env, jclass /*type*/, jlong map) {
+  std::uint64_t number = 0;
+  guarded(env, [&] { return call(handleOf<glide_map>(map), &number); });
+  return static_cast<jlong>(number);
 }
 
 jint JNICALL mapPoints(JNIEnv* env, jclass /*type*/, jlong map, jobject points) {
@@ -137,9 +145,11 @@ void JNICALL loadMapBytes(JNIEnv* env, jclass /*type*/, jlong session, jbyteArra
 
 std::vector<JNINativeMethod> mapNatives() {
   return {
-      native("acquireMap", "(J)J", acquireMap),
+      native("acquireMap", "(J)J", acquire<glide_map_acquire>),
+      native("acquireFrameMap", "(J)J", acquire<glide_map_acquire_frame>),
       native("releaseMap", "(J)V", releaseMap),
-      native("mapRevision", "(J)J", mapRevision),
+      native("mapRevision", "(J)J", mapNumber<glide_map_revision>),
+      native("mapGeneration", "(J)J", mapNumber<glide_map_generation>),
       native("mapPoints", "(JLjava/nio/ByteBuffer;)I", mapPoints),
       native("mapKeyframes", "(JLjava/nio/ByteBuffer;)I", mapKeyframes),
       native("mapLoops", "(JLjava/nio/ByteBuffer;)I", mapLoops),

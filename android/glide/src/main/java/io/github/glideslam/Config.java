@@ -68,7 +68,11 @@ public final class Config {
     return this;
   }
 
-  /** Mapping inside update: slower frames, the same result on every run. For tests and files. */
+  /**
+   * Mapping inside update: slower frames, the same result on every run. For tests, and for files that
+   * are fed faster than the camera took them: without it, frames are over before the map that they
+   * start is there ({@link Session#waitForMapping} after each update does, too).
+   */
   public Config setDeterministic(boolean value) {
     deterministic = value;
     return this;

@@ -45,6 +45,15 @@ public final class Frame {
   }
 
   /**
+   * Grows when a new map is begun: after {@link Session#reset}, {@link Session#loadMap}, or a start
+   * that was soon lost. A new map is a new world: scale and gravity are arbitrary again, and poses of
+   * different generations have nothing to do with each other.
+   */
+  public long getMapGeneration() {
+    return struct.getLong(Layout.FRAME_GENERATION);
+  }
+
+  /**
    * Whether the map was corrected before this frame: the camera has moved in the world without
    * moving in the room. What hangs on anchors follows.
    */
@@ -75,7 +84,7 @@ public final class Frame {
   /**
    * The landmarks that this frame was tracked by, at the pixels where it sees them; the same object
    * each time, filled again by each call. Empty unless the camera is tracking and {@link
-   * Config#setTrackedPoints} asked for them.
+   * Config#setTrackedPoints} asked for them. A frame that starts a map is tracked by none.
    *
    * @throws SessionClosedException when the session is closed; the points stay as they were
    */

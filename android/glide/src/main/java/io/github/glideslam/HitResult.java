@@ -47,7 +47,10 @@ public final class HitResult {
     return pointCount;
   }
 
-  /** An anchor at the hit. */
+  /**
+   * An anchor at the hit, before the next update: the hit is of the last frame's map. As {@link
+   * Session#createAnchor}.
+   */
   public Anchor createAnchor() {
     return session.createAnchor(pose);
   }

@@ -74,17 +74,25 @@ public final class MapSnapshot implements AutoCloseable {
 
   /** Grows from snapshot to snapshot when the map has changed. */
   public synchronized long getRevision() {
-    return Native.mapRevision(handle);
+    return Native.mapRevision(handle());
+  }
+
+  /**
+   * As {@link Frame#getMapGeneration}: scale and gravity are arbitrary again when it grows, and poses
+   * and points of different generations are of different worlds.
+   */
+  public synchronized long getGeneration() {
+    return Native.mapGeneration(handle());
   }
 
   /** All landmarks, in the world. A copy: it may outlive this. */
   public synchronized PointCloud getPoints() {
-    return PointCloud.ofMap(handle);
+    return PointCloud.ofMap(handle());
   }
 
   /** All keyframes, the oldest first. A copy: it may outlive this. */
   public synchronized List<Keyframe> getKeyframes() {
-    int count = Native.mapKeyframes(handle, null);
+    int count = Native.mapKeyframes(handle(), null);
     ByteBuffer structs = Layout.array(count, Layout.KEYFRAME_SIZE);
     if (count > 0) {
       Native.mapKeyframes(handle, structs);
@@ -98,7 +106,7 @@ public final class MapSnapshot implements AutoCloseable {
 
   /** All places that were recognised. A copy: it may outlive this. */
   public synchronized List<Loop> getLoops() {
-    int count = Native.mapLoops(handle, null);
+    int count = Native.mapLoops(handle(), null);
     ByteBuffer structs = Layout.array(count, Layout.LOOP_SIZE);
     if (count > 0) {
       Native.mapLoops(handle, structs);
@@ -116,7 +124,7 @@ public final class MapSnapshot implements AutoCloseable {
    */
   public synchronized CameraIntrinsics getCorrectedCamera() {
     ByteBuffer struct = Layout.array(1, Layout.CAMERA_SIZE);
-    Native.mapCorrectedCamera(handle, struct);
+    Native.mapCorrectedCamera(handle(), struct);
     return CameraIntrinsics.read(struct);
   }
 
@@ -126,5 +134,12 @@ public final class MapSnapshot implements AutoCloseable {
     long closing = handle;
     handle = 0;
     Native.releaseMap(closing);
+  }
+
+  private long handle() {
+    if (handle == 0) {
+      throw new SessionClosedException("the map snapshot is closed");
+    }
+    return handle;
   }
 }

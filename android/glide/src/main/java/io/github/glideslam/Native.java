@@ -8,8 +8,30 @@ import java.nio.ByteBuffer;
  * as UTF-8, since JNI's own encoding is another one.
  */
 final class Native {
-  static {
-    System.loadLibrary("glide_jni");
+  private static final String LIBRARY = "glide_jni";
+
+  /** Why the library could not be loaded, null when it was. A class fails to initialise only once
+   * with a reason: so it does not fail, and who makes a session is told each time. */
+  private static final LinkageError FAILURE = load();
+
+  private static LinkageError load() {
+    try {
+      System.loadLibrary(LIBRARY);
+      return null;
+    } catch (LinkageError e) { // also when it has not the functions below: of another version
+      return e;
+    }
+  }
+
+  /** Before the first native function: an UnsatisfiedLinkError unless the library is there. */
+  static void requireLibrary() {
+    if (FAILURE != null) {
+      UnsatisfiedLinkError error = new UnsatisfiedLinkError(
+          System.mapLibraryName(LIBRARY) + " could not be loaded (" + FAILURE.getMessage()
+              + "); java.library.path is " + System.getProperty("java.library.path"));
+      error.initCause(FAILURE);
+      throw error;
+    }
   }
 
   static native int[] layout();
@@ -69,9 +91,13 @@ final class Native {
 
   static native long acquireMap(long session);
 
+  static native long acquireFrameMap(long session);
+
   static native void releaseMap(long map);
 
   static native long mapRevision(long map);
+
+  static native long mapGeneration(long map);
 
   static native int mapPoints(long map, ByteBuffer points);
 

@@ -3,25 +3,22 @@ package io.github.glideslam;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
-import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Collections;
-import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Tracks one camera. Lengths are in arbitrary scene units until {@link #setMetricScale}: one camera
  * knows no scale. The world is the first keyframe's camera, in GL axes (x right, y up, z backwards),
  * turned upright by {@link #setGravityHint}. A new map, also after {@link #reset} and {@link #loadMap},
- * is a new world.
+ * is a new world: {@link Frame#getMapGeneration} grows, scale and gravity are arbitrary again.
  *
  * <table>
  *   <caption>Threads</caption>
  *   <tr><th>call</th><th>thread</th></tr>
  *   <tr><td>{@link #update}, {@link #releaseGl}</td><td>with OpenGL ES one thread, the app's context
  *     current; with the CPU backend any. Elsewhere: {@link WrongThreadException}</td></tr>
- *   <tr><td>{@link Frame}, {@link Camera}, {@link FrameStats}</td><td>the thread that calls update:
- *     update fills them again</td></tr>
+ *   <tr><td>{@link Frame}, {@link Camera}, {@link FrameStats}, {@link TrackedPoints}</td><td>the thread
+ *     that calls update: update and {@link Frame#getTrackedPoints} fill them again</td></tr>
  *   <tr><td>{@link #close}</td><td>that thread too, or any after {@link #releaseGl} or
  *     {@link #abandonGl}; elsewhere GL objects are leaked. Waits for calls of other threads</td></tr>
  *   <tr><td>everything else</td><td>any</td></tr>
@@ -29,7 +26,8 @@ import java.util.concurrent.atomic.AtomicLong;
  *
  * <p>update, {@link #releaseGl}, {@link #abandonGl}, {@link #pause}, {@link #resume}, {@link #reset}
  * and the end of {@link #loadMap} take turns: each waits for an update that is under way. Nothing else
- * does, and update never waits for mapping or for a file.
+ * does, and update never waits for a file, nor for mapping, but with {@link Config#setDeterministic}:
+ * it then does the mapping itself.
  *
  * <p>Everything throws {@link SessionClosedException} after {@link #close}.
  */
@@ -40,27 +38,24 @@ public final class Session implements AutoCloseable {
   private volatile boolean paused;
 
   private final ByteBuffer imuSample = Layout.array(1, Layout.IMU_SIZE);
-
-  private final List<Anchor> anchors = new ArrayList<>();
-  private final List<Anchor> updatedAnchors = new ArrayList<>();
-  private final Collection<Anchor> updatedAnchorsView =
-      Collections.unmodifiableList(updatedAnchors);
-  private boolean anchorsAreStale;
+  private final AnchorList anchors = new AnchorList();
 
   /**
    * Needs no GL context. InvalidArgumentException names a value of {@code config} that is out of
-   * range.
+   * range. UnsatisfiedLinkError when there is no native library, each time.
    */
   public Session(Config config) {
     if (config == null) {
       throw new InvalidArgumentException("config is null");
     }
     this.config = new Config(config);
+    Native.requireLibrary();
     handle = new AtomicLong(Native.create(config.struct(), config.settings()));
   }
 
   /** The library's version, for instance "0.1.0". */
   public static String getLibraryVersion() {
+    Native.requireLibrary();
     return Native.version();
   }
 
@@ -77,9 +72,7 @@ public final class Session implements AutoCloseable {
     Native.update(
         handle(), input.struct, input.pixels(), input.hardwareBuffer(), frame.struct);
     frame.setFilled();
-    synchronized (anchors) {
-      anchorsAreStale = true;
-    }
+    anchors.setStale();
     return frame;
   }
 
@@ -95,7 +88,10 @@ public final class Session implements AutoCloseable {
     paused = false;
   }
 
-  /** Drops the map, the anchors and the gravity; scene units are arbitrary again. */
+  /**
+   * Drops the map: scale and gravity are arbitrary again. Anchors stay but are no longer tracked
+   * (STOPPED, for good): detach them.
+   */
   public void reset() {
     Native.reset(handle());
   }
@@ -183,33 +179,45 @@ public final class Session implements AutoCloseable {
     Native.setDisplay(handle(), rotationDegrees, width, height);
   }
 
-  /** An anchor at a pose of the world. NotTrackingException while there is no map. */
+  /**
+   * An anchor at a pose of the world: one that the last frame told, or a hit in it, before the next
+   * update. A pose that was kept may be of a map that has been corrected or replaced since.
+   * NotTrackingException while there is no map; there is one in every frame that is TRACKING.
+   */
   public Anchor createAnchor(Pose pose) {
     if (pose == null) {
       throw new InvalidArgumentException("pose is null");
     }
     ByteBuffer struct = Layout.array(1, Layout.POSE_SIZE);
     pose.write(struct, 0);
-    Anchor anchor = new Anchor(this, Native.createAnchor(handle(), struct));
-    synchronized (anchors) {
-      anchors.add(anchor);
-    }
-    return anchor;
+    return anchors.add(new Anchor(this, Native.createAnchor(handle(), struct)));
   }
 
   /** All that are not detached. A copy. */
   public Collection<Anchor> getAllAnchors() {
-    synchronized (anchors) {
-      return new ArrayList<>(anchors);
-    }
+    return anchors.copy();
   }
 
-  /** The complete map at this moment; close it. */
+  /**
+   * The newest map, complete; close it. It may be corrected already where the last frame is not: its
+   * poses are none to make anchors at. Empty while there is no map.
+   */
   public MapSnapshot acquireMap() {
     return new MapSnapshot(Native.acquireMap(handle()));
   }
 
-  /** Writes the map to a file. Does not hold up update. MapIoException. */
+  /**
+   * The complete map that the last frame was tracked in, which its pose, points, hits and anchors are
+   * of; close it. Empty while there is no map.
+   */
+  public MapSnapshot acquireFrameMap() {
+    return new MapSnapshot(Native.acquireFrameMap(handle()));
+  }
+
+  /**
+   * Writes the map to a file. Does not hold up update. MapIoException; NotTrackingException while
+   * there is no map.
+   */
   public void saveMap(String path) {
     Native.saveMap(handle(), MapStreams.path(path));
   }
@@ -223,7 +231,10 @@ public final class Session implements AutoCloseable {
     Native.loadMap(handle(), MapStreams.path(path));
   }
 
-  /** Writes the map to a stream and flushes it. MapIoException with the stream's as its cause. */
+  /**
+   * {@link #saveMap(String)} to a stream, which is flushed. MapIoException with the stream's as its
+   * cause.
+   */
   public void saveMap(OutputStream stream) {
     if (stream == null) {
       throw new InvalidArgumentException("stream is null");
@@ -243,11 +254,15 @@ public final class Session implements AutoCloseable {
   }
 
   long handle() {
-    return handle.get();
+    long open = handle.get();
+    if (open == 0) {
+      throw new SessionClosedException("the session is closed");
+    }
+    return open;
   }
 
   boolean isClosed() {
-    return handle() == 0;
+    return handle.get() == 0;
   }
 
   boolean isPaused() {
@@ -259,26 +274,14 @@ public final class Session implements AutoCloseable {
   }
 
   void forget(Anchor anchor) {
-    synchronized (anchors) {
-      anchors.remove(anchor);
-    }
-    if (!isClosed()) {
-      Native.destroyAnchor(handle(), anchor.id());
+    anchors.remove(anchor);
+    long open = handle.get();
+    if (open != 0) {
+      Native.destroyAnchor(open, anchor.id());
     }
   }
 
   Collection<Anchor> updatedAnchors() {
-    synchronized (anchors) {
-      if (anchorsAreStale) {
-        anchorsAreStale = false;
-        updatedAnchors.clear();
-        for (int i = 0; i < anchors.size(); ++i) {
-          if (anchors.get(i).takeUpdate()) {
-            updatedAnchors.add(anchors.get(i));
-          }
-        }
-      }
-    }
-    return updatedAnchorsView;
+    return anchors.updated();
   }
 }

@@ -1,6 +1,6 @@
 package io.github.glideslam;
 
-/** The session, map or anchor was closed. */
+/** The session, map snapshot or point cloud was closed. */
 public class SessionClosedException extends GlideException {
   private static final long serialVersionUID = 1L;
 

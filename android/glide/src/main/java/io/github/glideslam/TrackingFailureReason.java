@@ -2,7 +2,7 @@ package io.github.glideslam;
 
 /** Why the camera is not {@link TrackingState#TRACKING}: the most useful thing to tell the user. */
 public enum TrackingFailureReason {
-  /** It is tracking, or nothing is known yet. */
+  /** It is tracking, or the map is being made, or nothing is known yet. */
   NONE,
   /** Dark, blurred or blank: point the camera at something with detail. */
   INSUFFICIENT_FEATURES,

@@ -46,6 +46,19 @@ class AnchorTest extends TrackedTest {
   }
 
   @Test
+  @DisplayName("with mapping on a thread of its own, too, the first frame that is tracked can have anchors")
+  void firstTrackedFrame() {
+    try (Session live = new Session(sequence.config().setDeterministic(false))) {
+      Camera camera = sequence.feed(live, 0, 1).getCamera();
+      for (int i = 1; camera.getTrackingState() != TrackingState.TRACKING; ++i) {
+        live.waitForMapping();
+        sequence.feed(live, i, i + 1);
+      }
+      assertEquals(TrackingState.TRACKING, live.createAnchor(place).getTrackingState());
+    }
+  }
+
+  @Test
   @DisplayName("an anchor stops when its map is dropped, and is told as updated")
   void lostMap() {
     Anchor anchor = session.createAnchor(place);

@@ -83,7 +83,7 @@ class LifeCycleTest {
           stats.getSwitchReason() == FrameStats.SwitchReason.NONE);
       float confidence = frame.getCamera().getConfidence();
       assertTrue(confidence > 0 && confidence <= 1);
-      assertTrue(frame.getMapRevision() > 0);
+      assertTrue(frame.getMapRevision() > 0 && frame.getMapGeneration() > 0);
       assertFalse(frame.isWorldCorrected());
       assertEquals(0, frame.getCorrectionDistance());
       assertEquals(0, frame.getCorrectionRotation());

@@ -17,6 +17,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 
 class MapTest extends TrackedTest {
@@ -57,11 +58,50 @@ class MapTest extends TrackedTest {
     MapSnapshot map = session.acquireMap();
     map.close();
     map.close();
-    assertThrows(SessionClosedException.class, map::getRevision);
-    assertThrows(SessionClosedException.class, map::getPoints);
-    assertThrows(SessionClosedException.class, map::getKeyframes);
-    assertThrows(SessionClosedException.class, map::getLoops);
-    assertThrows(SessionClosedException.class, map::getCorrectedCamera);
+    for (Executable question :
+        List.<Executable>of(
+            map::getRevision, map::getGeneration, map::getPoints, map::getKeyframes, map::getLoops,
+            map::getCorrectedCamera)) {
+      assertEquals(
+          "the map snapshot is closed",
+          assertThrows(SessionClosedException.class, question).getMessage());
+    }
+  }
+
+  @Test
+  @DisplayName("the frame's map is the one that the frame was tracked in, the newest may be newer")
+  void frameMap() {
+    boolean wasNewer = false;
+    for (int i = FED; i < sequence.size(); ++i) {
+      sequence.feed(session, i, i + 1);
+      try (MapSnapshot newest = session.acquireMap();
+          MapSnapshot map = session.acquireFrameMap()) {
+        assertEquals(frame.getMapRevision(), map.getRevision());
+        assertEquals(frame.getMapGeneration(), map.getGeneration());
+        assertEquals(frame.getMapGeneration(), newest.getGeneration());
+        wasNewer |= newest.getRevision() > map.getRevision();
+      }
+    }
+    assertTrue(wasNewer);
+  }
+
+  @Test
+  @DisplayName("a new map is of another generation than the one that a reset dropped")
+  void generations() {
+    long before = frame.getMapGeneration();
+    try (MapSnapshot old = session.acquireFrameMap()) {
+      session.reset();
+      try (MapSnapshot none = session.acquireFrameMap()) {
+        assertEquals(0, none.getPoints().size());
+      }
+      sequence.feed(session, FED, sequence.size());
+      assertEquals(TrackingState.TRACKING, frame.getCamera().getTrackingState());
+      assertTrue(frame.getMapGeneration() > before);
+      try (MapSnapshot map = session.acquireFrameMap()) {
+        assertEquals(frame.getMapGeneration(), map.getGeneration());
+      }
+      assertEquals(before, old.getGeneration());
+    }
   }
 
   @Test

@@ -32,6 +32,7 @@ class MisuseTest extends TrackedTest {
     List<Executable> calls = List.of(
         () -> feedNext(), session::pause, session::resume, session::reset, session::waitForMapping,
         session::releaseGl, session::abandonGl, session::getBackend, session::acquireMap,
+        session::acquireFrameMap,
         () -> session.pushImu(1, 0, 0, 0, 0, 0, 0), () -> session.locate(1),
         () -> session.setMetricScale(1), () -> session.setGravityHint(0, -1, 0),
         () -> session.setDisplayGeometry(0, 1, 1), () -> session.createAnchor(Pose.IDENTITY),
@@ -40,7 +41,9 @@ class MisuseTest extends TrackedTest {
         () -> camera.getProjectionMatrix(new float[16], 0, 1, 2),
         frame::acquirePointCloud, frame::getTrackedPoints, () -> frame.hitTest(1, 1));
     for (Executable call : calls) {
-      assertThrows(SessionClosedException.class, call);
+      assertEquals(
+          "the session is closed",
+          assertThrows(SessionClosedException.class, call).getMessage());
     }
   }
 

@@ -99,6 +99,23 @@ class TrackedPointsTest {
   }
 
   @Test
+  @DisplayName("every tracked frame has them but the one that starts the map")
+  void notAtTheStart() {
+    int[] without = {0};
+    int[] with = {0};
+    try (Session session = session(Config.ReportPoints.ON)) {
+      walk(session, (frame, points) -> {
+        if (frame.getCamera().getTrackingState() == TrackingState.TRACKING) {
+          ++(points.size() == 0 ? without : with)[0];
+          assertTrue(points.size() > 0 || with[0] == 0);
+        }
+      });
+    }
+    assertEquals(1, without[0]);
+    assertTrue(with[0] > sequence.size() / 2);
+  }
+
+  @Test
   @DisplayName("there are none unless asked for")
   void off() {
     for (Config config :

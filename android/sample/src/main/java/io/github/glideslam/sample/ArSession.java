@@ -24,10 +24,15 @@ final class ArSession implements AutoCloseable {
   /** After the permission was granted: without it Android hides the calibration. */
   ArSession(Context context, Camera2Source.Listener listener) {
     camera = new Camera2Source(context, WANTED, listener);
-    Config config = new Config(camera.getCalibration().getIntrinsics());
-    config.setGlCacheDir(context.getCacheDir().getPath());
-    config.setTrackedPoints(Config.ReportPoints.ON); // to draw them
-    session = new Session(config);
+    try {
+      Config config = new Config(camera.getCalibration().getIntrinsics());
+      config.setGlCacheDir(context.getCacheDir().getPath());
+      config.setTrackedPoints(Config.ReportPoints.ON); // to draw them
+      session = new Session(config);
+    } catch (RuntimeException | Error e) {
+      camera.close(); // has a thread of its own
+      throw e;
+    }
   }
 
   synchronized void resume() {

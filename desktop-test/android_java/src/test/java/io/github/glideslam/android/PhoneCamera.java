@@ -41,13 +41,13 @@ public final class PhoneCamera {
   }
 
   /** Sets what is told under a key; once. */
-  PhoneCamera with(Key<?> key, Object value) {
+  public PhoneCamera with(Key<?> key, Object value) {
     ShadowCameraCharacteristics shadow = Shadow.extract(told);
     shadow.set(key, value);
     return this;
   }
 
-  PhoneCamera calibrated() {
+  public PhoneCamera calibrated() {
     return with(
         CameraCharacteristics.LENS_INTRINSIC_CALIBRATION, new float[] {3200, 3200, 2000, 1500, 0});
   }

@@ -1,14 +1,18 @@
 package io.github.glideslam.sample;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assume.assumeTrue;
 
 import android.Manifest;
 import android.app.Application;
 import android.content.Context;
+import android.hardware.camera2.CameraCharacteristics;
 import android.hardware.camera2.CameraManager;
+import io.github.glideslam.InvalidArgumentException;
 import io.github.glideslam.android.Camera2Source.State;
 import io.github.glideslam.android.CameraThread;
 import io.github.glideslam.android.PhoneCamera;
@@ -16,6 +20,7 @@ import java.io.File;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
@@ -120,8 +125,27 @@ public final class SampleLifeTest {
     renderer.onSurfaceChanged(null, 640, 480);
     renderer.setDisplayRotation(90);
     renderer.onDrawFrame(null);
-    assertTrue(texts.contains("the session is null or was destroyed"));
+    assertTrue(texts.contains("the session is closed"));
     ar.close();
+  }
+
+  @Test
+  public void aCameraWhoseSessionIsRefusedEndsItsThread() throws InterruptedException {
+    float[] broken = {Float.NaN, 0, 0, 0, 0};
+    PhoneCamera camera =
+        new PhoneCamera().calibrated().with(CameraCharacteristics.LENS_DISTORTION, broken);
+    ShadowCameraManager cameras =
+        Shadow.extract((CameraManager) app.getSystemService(Context.CAMERA_SERVICE));
+    cameras.removeCamera("0");
+    cameras.addCamera("0", camera.characteristics());
+    Set<Thread> others = CameraThread.alive();
+    assertThrows(InvalidArgumentException.class, () -> new ArSession(app, null));
+    Set<Thread> left = CameraThread.alive();
+    left.removeAll(others);
+    for (Thread thread : left) {
+      thread.join(10_000);
+      assertFalse(thread.isAlive());
+    }
   }
 
   @Test
