@@ -44,7 +44,10 @@ public final class Camera2Source implements AutoCloseable {
     CLOSED
   }
 
-  /** Told each new state, on the thread that brought it about: the camera's, or the caller's. */
+  /**
+   * Told each new state, one after the other in the order in which they came: on the thread that
+   * brought it about, the camera's or the caller's, or, while another thread is telling, on that one.
+   */
   public interface Listener {
     /** {@code reason} is empty unless the state is FAILED. */
     void onStateChanged(State state, String reason);
@@ -56,7 +59,7 @@ public final class Camera2Source implements AutoCloseable {
   private final Size size;
   private final CameraCalibration calibration;
   private final CaptureSettings settings;
-  private final Listener listener;
+  private final StateTeller teller;
   private final FrameTimings timings = new FrameTimings();
   private final HandlerThread thread = new HandlerThread("glide-camera");
   private final Handler handler;
@@ -71,7 +74,7 @@ public final class Camera2Source implements AutoCloseable {
    * is no such camera.
    */
   public Camera2Source(Context context, Size wanted, Listener listener) {
-    this.listener = listener;
+    teller = new StateTeller(listener);
     manager = (CameraManager) context.getSystemService(Context.CAMERA_SERVICE);
     try {
       cameraId = CameraReport.backCamera(manager);
@@ -134,10 +137,10 @@ public final class Camera2Source implements AutoCloseable {
       clock = newClock();
       run = new CameraRun(new Progress(), surface, settings, new Results());
       started = run;
-      state = State.OPENING;
+      enter(State.OPENING, "");
       ++awaitedAnswers;
     }
-    tell(State.OPENING, "");
+    teller.tell();
     handler.post(() -> started.open(manager, cameraId, handler));
   }
 
@@ -148,9 +151,9 @@ public final class Camera2Source implements AutoCloseable {
         return;
       }
       closeRun();
-      state = State.STOPPED;
+      enter(State.STOPPED, "");
     }
-    tell(State.STOPPED, "");
+    teller.tell();
   }
 
   /** Stops for good. More than once is fine. */
@@ -161,10 +164,10 @@ public final class Camera2Source implements AutoCloseable {
       if (state == State.CLOSED) {
         return;
       }
-      state = State.CLOSED;
+      enter(State.CLOSED, "");
       quitWhenAnswered();
     }
-    tell(State.CLOSED, "");
+    teller.tell();
   }
 
   /**
@@ -199,10 +202,10 @@ public final class Camera2Source implements AutoCloseable {
     }
   }
 
-  private void tell(State newState, String reason) {
-    if (listener != null) {
-      listener.onStateChanged(newState, reason);
-    }
+  /** With the lock held, so that states are told as they came; teller.tell() follows without it. */
+  private void enter(State newState, String reason) {
+    state = newState;
+    teller.add(newState, reason);
   }
 
   /** What a run that is still wanted reaches. */
@@ -235,9 +238,9 @@ public final class Camera2Source implements AutoCloseable {
         if (from != run) {
           return;
         }
-        state = reached;
+        enter(reached, reason);
       }
-      tell(reached, reason);
+      teller.tell();
     }
   }
 

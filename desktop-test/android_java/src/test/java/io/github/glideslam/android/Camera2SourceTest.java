@@ -17,6 +17,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
@@ -57,11 +59,15 @@ public final class Camera2SourceTest {
   }
 
   private void make(PhoneCamera camera) {
-    cameras().addCamera("0", camera.characteristics());
-    source = new Camera2Source(context, new Size(640, 480), (state, reason) -> {
+    make(camera, (state, reason) -> {
       states.add(state);
       reasons.add(reason);
     });
+  }
+
+  private void make(PhoneCamera camera, Camera2Source.Listener listener) {
+    cameras().addCamera("0", camera.characteristics());
+    source = new Camera2Source(context, new Size(640, 480), listener);
   }
 
   @Test
@@ -118,15 +124,55 @@ public final class Camera2SourceTest {
   }
 
   @Test
+  public void aStopWhileTheListenerIsToldSomethingIsToldAfterIt() throws InterruptedException {
+    CountDownLatch isTelling = new CountDownLatch(1);
+    CountDownLatch isStopped = new CountDownLatch(1);
+    make(new PhoneCamera(), (state, reason) -> {
+      if (state == State.CONFIGURING) {
+        isTelling.countDown();
+        await(isStopped);
+      }
+      states.add(state);
+    });
+    source.start(surface);
+    assertTrue(isTelling.await(10, TimeUnit.SECONDS));
+    source.stop();
+    isStopped.countDown();
+    CameraThread.settle();
+    assertEquals(Arrays.asList(State.OPENING, State.CONFIGURING, State.STOPPED), states);
+  }
+
+  private static void await(CountDownLatch latch) {
+    try {
+      assertTrue(latch.await(10, TimeUnit.SECONDS));
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  public void aListenerMayStartAndStop() {
+    make(new PhoneCamera(), (state, reason) -> {
+      states.add(state);
+      if (state == State.RUNNING) {
+        source.stop();
+        assertEquals("one at a time", State.RUNNING, states.get(states.size() - 1));
+      }
+    });
+    source.start(surface);
+    CameraThread.settle();
+    assertEquals(
+        Arrays.asList(State.OPENING, State.CONFIGURING, State.RUNNING, State.STOPPED), states);
+  }
+
+  @Test
   public void closeWhileTheCameraOpensEndsTheThreadToo() throws InterruptedException {
     make(new PhoneCamera());
     source.start(surface);
     source.close();
-    for (Thread thread : Thread.getAllStackTraces().keySet()) {
-      if (thread.getName().equals("glide-camera")) {
-        thread.join(10_000);
-        assertFalse(thread.isAlive());
-      }
+    for (Thread thread : CameraThread.alive()) {
+      thread.join(10_000);
+      assertFalse(thread.isAlive());
     }
     assertEquals(State.CLOSED, source.getState());
   }
