@@ -49,6 +49,8 @@ glide_status statusOf(ErrorCode code) {
       return GLIDE_ERROR_DATA_UNSUPPORTED_VERSION;
     case ErrorCode::gl:
       return GLIDE_ERROR_GL;
+    case ErrorCode::no_map:
+      return GLIDE_ERROR_NOT_TRACKING;
     case ErrorCode::internal:
       break;
   }

@@ -59,13 +59,17 @@ void Session::releaseGl() { impl_->releaseGl(); }
 void Session::abandonGl() { impl_->abandonGl(); }
 
 Status Session::saveMap(const std::filesystem::path& path) const try {
-  return writeFileAtomically(path, encodeMap(impl_->stored()), FileDurability::synced);
+  const Result<std::vector<std::byte>> bytes = saveMap();
+  if (!bytes) return bytes.error();
+  return writeFileAtomically(path, *bytes, FileDurability::synced);
 } catch (const std::exception& exception) {
   return Error{ErrorCode::internal, std::string("Session::saveMap: ") + exception.what()};
 }
 
 Result<std::vector<std::byte>> Session::saveMap() const try {
-  return encodeMap(impl_->stored());
+  const StoredMap stored = impl_->stored();
+  if (stored.map->empty()) return Error{ErrorCode::no_map, "there is no map to save"};
+  return encodeMap(stored);
 } catch (const std::exception& exception) {
   return Error{ErrorCode::internal, std::string("Session::saveMap: ") + exception.what()};
 }

@@ -77,34 +77,33 @@ TEST_F(CSessionInContext, BelongsToTheThreadOfItsFirstUpdateUntilItLetsGo) {
   EXPECT_EQ(update(), GLIDE_OK) << glide_last_error();
 }
 
-/// A write callback's app, which is still writing when the session is destroyed.
-struct SlowWriter {
+/// An app that still reads in its callback when the session is destroyed.
+struct SlowReader {
   glide_session* session = nullptr;
   std::promise<void> has_begun;
 
-  std::size_t write(std::size_t size) {
+  std::size_t read() {
     has_begun.set_value();
     glide_backend_info info;
     GLIDE_INIT(info);
     while (glide_session_backend(session, &info) == GLIDE_OK) std::this_thread::yield();
-    return size;
+    return 0;
   }
 };
 
 TEST_F(CSessionInContext, EndsOnTheThreadThatDestroysItThoughAnotherIsInACall) {
   ASSERT_EQ(update(), GLIDE_OK) << glide_last_error();
-  SlowWriter writer;
-  writer.session = session_;
+  SlowReader reader;
+  reader.session = session_;
   glide_io io;
   GLIDE_INIT(io);
-  io.user = &writer;
-  io.write = [](void* user, const void*, std::size_t size) {
-    return static_cast<SlowWriter*>(user)->write(size);
-  };
-  std::thread saver([&] { EXPECT_EQ(glide_map_save_io(session_, &io), GLIDE_OK); });
-  writer.has_begun.get_future().wait();
+  io.user = &reader;
+  io.read = [](void* user, void*, std::size_t) { return static_cast<SlowReader*>(user)->read(); };
+  std::thread loader(
+      [&] { EXPECT_EQ(glide_map_load_io(session_, &io), GLIDE_ERROR_DATA_INVALID_FORMAT); });
+  reader.has_begun.get_future().wait();
   glide_session_destroy(session_);
-  saver.join();
+  loader.join();
   EXPECT_THAT(log_, testing::Not(testing::HasSubstr("leaked")));
 }
 

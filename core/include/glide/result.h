@@ -17,6 +17,7 @@ enum class ErrorCode {
   invalid_data,      ///< The bytes are no sound map; the message says what is wrong with them.
   unknown_version,   ///< A map of another version of the format.
   gl,                ///< A GL call failed; the message names it.
+  no_map,            ///< There is no map yet that this could be done with.
   internal,          ///< A dependency failed unexpectedly (for instance out of memory).
 };
 

@@ -79,8 +79,8 @@ class GLIDE_API Session {
   void abandonGl();
 
   /// Writes the map as it is now to `path`, under a temporary name first: the file is whole or not
-  /// there. Format: docs/map-format.md. io when it cannot be written. A map without keyframes is
-  /// written, too, but loadMap refuses it. Any thread; does not hold up update().
+  /// there. Format: docs/map-format.md. io when it cannot be written, no_map while there is
+  /// none: then a file that is there stays as it is. Any thread; does not hold up update().
   Status saveMap(const std::filesystem::path& path) const;
   /// The bytes that saveMap would write. Any thread.
   Result<std::vector<std::byte>> saveMap() const;

@@ -108,6 +108,16 @@ TEST_F(CMap, SaysWhenItCouldNotBeWritten) {
   EXPECT_EQ(glide_map_save(walk_.session(), "/nonexistent/file.map"), GLIDE_ERROR_IO);
 }
 
+TEST_F(CMap, OverwritesNoFileWithoutAMap) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "glide_c_no_map_test.map";
+  ASSERT_EQ(glide_map_save(walk_.session(), path.c_str()), GLIDE_OK);
+  const auto size = std::filesystem::file_size(path);
+  ASSERT_EQ(glide_session_reset(walk_.session()), GLIDE_OK);
+  EXPECT_EQ(glide_map_save(walk_.session(), path.c_str()), GLIDE_ERROR_NOT_TRACKING);
+  EXPECT_THAT(glide_last_error(), HasSubstr("no map to save"));
+  EXPECT_EQ(std::filesystem::file_size(path), size);
+}
+
 TEST_F(CMap, SavesAndLoadsFiles) {
   const auto path = std::filesystem::path(testing::TempDir()) / "glide_c_map_test.map";
   ASSERT_EQ(glide_map_save(walk_.session(), path.c_str()), GLIDE_OK);

@@ -36,7 +36,7 @@ void disturb(std::uint64_t choice, Session* session, std::vector<std::byte>* sav
       session->resume();
       break;
     case 4:
-      *saved = *session->saveMap();
+      if (const auto bytes = session->saveMap()) *saved = *bytes;
       break;
     case 5:
       if (!saved->empty()) session->loadMap(*saved);
@@ -85,7 +85,8 @@ TEST(SessionStress, MapAndLocateAndSaveMayBeCalledFromOtherThreads) {
         EXPECT_NE(session.map(), nullptr);
         const std::shared_ptr<const FrameMap> of_frame = session.frameMap();
         EXPECT_EQ(of_frame->view()->revision, of_frame->revision());
-        EXPECT_TRUE(session.saveMap().ok());
+        const auto saved = session.saveMap();
+        EXPECT_TRUE(saved.ok() || saved.error().code == ErrorCode::no_map);
         EXPECT_EQ(session.locate(i).t_ns, i);
       }
     });
