@@ -45,7 +45,7 @@ void copyText(const std::string& text, char (&target)[n]) {
 }
 
 glide_status createSession(const glide_config* given, glide_session** out) {
-  if (out == nullptr) return nullArgument("session");
+  if (out == nullptr) return refuseArgument("session, where the handle goes, is null");
   *out = nullptr;
   const std::optional<glide_config> config = readSized(given);
   if (!config) return nullArgument("config");
@@ -155,7 +155,7 @@ glide_status glide_session_push_imu(glide_session* session,
                                     const glide_imu_sample* samples,
                                     size_t count) {
   return withSession(session, [&](AppSession& app) {
-    if (samples == nullptr && count > 0) return nullArgument("samples");
+    if (samples == nullptr && count > 0) return refuseArgument("samples is null");
     return app.pushImu(samples, count);
   });
 }

@@ -45,6 +45,9 @@ std::optional<Error> checkCoefficients(const CameraIntrinsics& intrinsics) {
   return std::nullopt;
 }
 
+/// Whether a principal point can be right: a crop's may lie outside of it, but not far.
+bool isNearImage(double center, int size) { return center >= -size && center <= 2.0 * size; }
+
 std::optional<Error> checkIntrinsics(const CameraIntrinsics& intrinsics) {
   if (intrinsics.width <= 0) return invalid("camera.width: must be positive");
   if (intrinsics.height <= 0) return invalid("camera.height: must be positive");
@@ -54,8 +57,10 @@ std::optional<Error> checkIntrinsics(const CameraIntrinsics& intrinsics) {
   if (!(std::isfinite(intrinsics.fy) && intrinsics.fy > 0.0)) {
     return invalid("camera.fy: must be positive");
   }
-  if (!std::isfinite(intrinsics.cx)) return invalid("camera.cx: must be finite");
-  if (!std::isfinite(intrinsics.cy)) return invalid("camera.cy: must be finite");
+  if (!isNearImage(intrinsics.cx, intrinsics.width))
+    return invalid("camera.cx: must be within one width of the image");
+  if (!isNearImage(intrinsics.cy, intrinsics.height))
+    return invalid("camera.cy: must be within one height of the image");
   return checkCoefficients(intrinsics);
 }
 

@@ -39,7 +39,7 @@ ImageFunctions loadFunctions() {
 }
 
 Error invalid(const std::string& what) {
-  return {ErrorCode::invalid_argument, "FrameInput.image.buffer " + what};
+  return {ErrorCode::invalid_argument, "the image's hardware buffer " + what};
 }
 
 Status checkBuffer(const AHardwareBuffer_Desc& description) {
@@ -57,7 +57,7 @@ Status showIn(GLuint texture, const AHardwareBuffer* buffer, const ImageFunction
   const EGLImageKHR image = egl.create(
       display, EGL_NO_CONTEXT, EGL_NATIVE_BUFFER_ANDROID, egl.client_buffer(buffer), kAttributes);
   if (image == EGL_NO_IMAGE_KHR)
-    return Error{ErrorCode::gl, "FrameInput.image.buffer: EGL makes no image of it"};
+    return Error{ErrorCode::gl, "the image's hardware buffer: EGL makes no image of it"};
   glBindTexture(GL_TEXTURE_EXTERNAL_OES, texture);
   egl.target_texture(GL_TEXTURE_EXTERNAL_OES, image);
   egl.destroy(display, image);
@@ -69,7 +69,7 @@ Status showIn(GLuint texture, const AHardwareBuffer* buffer, const ImageFunction
 Result<Texture> HardwareBufferTexture::import(const HardwareBuffer& buffer, GlStatePolicy policy) {
   const ImageFunctions egl = loadFunctions();
   if (!egl.areThere())
-    return Error{ErrorCode::unsupported, "FrameInput.image: this EGL imports no hardware buffers"};
+    return Error{ErrorCode::unsupported, "the image: this EGL imports no hardware buffers"};
   AHardwareBuffer_Desc description{};
   AHardwareBuffer_describe(buffer.buffer, &description);
   const Status usable = checkBuffer(description);

@@ -3,7 +3,7 @@
 namespace glide {
 
 Result<Texture> HardwareBufferTexture::import(const HardwareBuffer&, GlStatePolicy) {
-  return Error{ErrorCode::unsupported, "FrameInput.image: hardware buffers are of Android only"};
+  return Error{ErrorCode::unsupported, "the image: hardware buffers are of Android only"};
 }
 
 }  // namespace glide

@@ -7,9 +7,7 @@
 namespace glide {
 namespace {
 
-Error invalid(const std::string& what) {
-  return {ErrorCode::invalid_argument, "FrameInput.image" + what};
-}
+Error invalid(const std::string& what) { return {ErrorCode::invalid_argument, "the image" + what}; }
 
 GLint levelParameter(GLenum query) {
   GLint value = 0;
@@ -27,7 +25,8 @@ bool isOfTarget(const Texture& texture, GLenum binding) {
 }
 
 Error wrongTarget(const Texture& texture, const char* target) {
-  return invalid(".name " + std::to_string(texture.name) + " is not a texture of target " + target);
+  return invalid("'s name " + std::to_string(texture.name) + " is not a texture of target " +
+                 target);
 }
 
 Status checkExternal(const Texture& texture, GlStatePolicy policy) {
@@ -44,12 +43,12 @@ Status checkPlain(const Texture& texture) {
   const GLint width = levelParameter(GL_TEXTURE_WIDTH);
   const GLint height = levelParameter(GL_TEXTURE_HEIGHT);
   if (width != texture.width || height != texture.height)
-    return invalid(".name " + name + " is a texture of " + std::to_string(width) + "x" +
+    return invalid("'s name " + name + " is a texture of " + std::to_string(width) + "x" +
                    std::to_string(height) + ", not " + std::to_string(texture.width) + "x" +
                    std::to_string(texture.height));
   const GLint type = levelParameter(GL_TEXTURE_RED_TYPE);
   if (type == GL_INT || type == GL_UNSIGNED_INT)
-    return invalid(".name " + name + " holds integers, which cannot be sampled as grey levels");
+    return invalid("'s name " + name + " holds integers, which cannot be sampled as grey levels");
   return Unit{};
 }
 
@@ -57,7 +56,7 @@ Status checkPlain(const Texture& texture) {
 
 Status checkTextureObject(const Texture& texture, GlStatePolicy policy) {
   if (glIsTexture(texture.name) != GL_TRUE)
-    return invalid(".name " + std::to_string(texture.name) +
+    return invalid("'s name " + std::to_string(texture.name) +
                    " is no texture of the current context");
   return texture.target == GL_TEXTURE_EXTERNAL_OES ? checkExternal(texture, policy)
                                                    : checkPlain(texture);

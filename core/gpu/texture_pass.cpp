@@ -45,7 +45,7 @@ Status TexturePass::prepare(const Texture& texture, GlStatePolicy policy) {
   const bool external = texture.target == GL_TEXTURE_EXTERNAL_OES;
   if (external && !samples_external_ && !draws_external_)
     return Error{ErrorCode::unsupported,
-                 "FrameInput.image: this OpenGL ES has neither GL_OES_EGL_image_external_essl3 nor "
+                 "the image: this OpenGL ES has neither GL_OES_EGL_image_external_essl3 nor "
                  "GL_OES_EGL_image_external"};
   Status checked = checkTextureObject(texture, policy);
   if (checked) checked = prepareSamplers();

@@ -79,12 +79,10 @@ bool isInside(const TexelPlacement& place, const Texture& texture, FrameSize fra
   return true;
 }
 
-Error invalid(const std::string& what) {
-  return {ErrorCode::invalid_argument, "FrameInput.image" + what};
-}
+Error invalid(const std::string& what) { return {ErrorCode::invalid_argument, "the image" + what}; }
 
 Status checkTransform(const Texture& texture, FrameSize frame) {
-  if (!isAffine(texture.transform)) return invalid(".transform is not affine");
+  if (!isAffine(texture.transform)) return invalid("'s transform is not affine");
   const TexelPlacement place = inTexels(texture, frame);
   const double across = std::hypot(place.per_column[0], place.per_column[1]);
   const double down = std::hypot(place.per_row[0], place.per_row[1]);
@@ -98,7 +96,7 @@ Status checkTransform(const Texture& texture, FrameSize frame) {
                    std::to_string(frame.width) + "x" + std::to_string(frame.height) +
                    " of the camera: a pixel is " + std::to_string(across) + " texels wide and " +
                    std::to_string(down) + " high");
-  if (!isInside(place, texture, frame)) return invalid(".transform leaves the texture");
+  if (!isInside(place, texture, frame)) return invalid("'s transform leaves the texture");
   return Unit{};
 }
 
@@ -117,9 +115,9 @@ TexturePlacement placeTexture(const Texture& texture, FrameSize frame) {
 }
 
 Status checkPlacement(const Texture& texture, FrameSize frame) {
-  if (texture.name == 0) return invalid(".name is 0, which is no texture");
+  if (texture.name == 0) return invalid("'s name is 0, which is no texture");
   if (texture.target != GL_TEXTURE_2D && texture.target != GL_TEXTURE_EXTERNAL_OES)
-    return invalid(".target " + std::to_string(texture.target) +
+    return invalid("'s target " + std::to_string(texture.target) +
                    " is neither GL_TEXTURE_2D nor GL_TEXTURE_EXTERNAL_OES");
   if (texture.width <= 0 || texture.height <= 0)
     return invalid(": the texture's width and height must be positive");

@@ -21,9 +21,9 @@ constexpr float kTap = 0.25F;
 
 Error invalid(const std::string& what) { return {ErrorCode::invalid_argument, "picture" + what}; }
 
-/// Messages of the textures' checks begin with the name of a field that is not here.
+/// Messages of the textures' checks begin with what is the image of a frame there.
 Error ofPicture(const Error& error) {
-  constexpr std::string_view kField = "FrameInput.image";
+  constexpr std::string_view kField = "the image";
   const std::string_view message = error.message;
   if (message.substr(0, kField.size()) != kField) return error;
   return {error.code, std::string("picture").append(message.substr(kField.size()))};

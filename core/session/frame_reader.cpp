@@ -37,13 +37,15 @@ FrameReader::FrameReader(const Config& config, Backend backend)
 FrameReader::~FrameReader() = default;
 
 Status FrameReader::checkLuma(const Luma& luma) const {
-  if (luma.pixels == nullptr) return invalid("FrameInput.image.pixels is null");
+  if (luma.pixels == nullptr) return invalid("the image's pixels are null");
   if (luma.width != width_ || luma.height != height_)
-    return invalid("FrameInput.image is " + sizeText(luma.width, luma.height) +
+    return invalid("the image is " + sizeText(luma.width, luma.height) +
                    ", but the camera of the config is " + sizeText(width_, height_));
-  if (luma.stride < luma.width) return invalid("FrameInput.image.stride is smaller than the width");
+  if (luma.stride < luma.width)
+    return invalid("the image's row stride, " + std::to_string(luma.stride) +
+                   ", is smaller than its width, " + std::to_string(luma.width));
   if (luma.stride > std::numeric_limits<int>::max())  // GL_UNPACK_ROW_LENGTH is an int
-    return invalid("FrameInput.image.stride is larger than an int");
+    return invalid("the image's row stride is larger than an int");
   return Unit{};
 }
 
@@ -51,7 +53,7 @@ Status FrameReader::check(const Input& input) const {
   if (const auto* luma = std::get_if<Luma>(&input)) return checkLuma(*luma);
   if (const auto* texture = std::get_if<Texture>(&input)) return checkTexture(*texture);
   const auto& buffer = *std::get_if<HardwareBuffer>(&input);
-  if (buffer.buffer == nullptr) return invalid("FrameInput.image.buffer is null");
+  if (buffer.buffer == nullptr) return invalid("the image's hardware buffer is null");
   return Unit{};
 }
 
@@ -97,8 +99,7 @@ Status FrameReader::ensureGl() {
   if (gl_ && gl_->reader->isUsable()) return Unit{};
   gl_.reset();
   const Result<GlCaps> caps = GlCaps::query();
-  if (!caps)
-    return Error{caps.error().code, "FrameInput.image is a texture: " + caps.error().message};
+  if (!caps) return Error{caps.error().code, "the image is a texture: " + caps.error().message};
   const ProgramCache programs(DeviceCache(options_.cache_dir, *caps), *caps);
   auto reader = TextureReader::create(*caps, {width_, height_}, options_.state, programs);
   if (!reader) return reader.error();
@@ -136,9 +137,8 @@ struct FrameReader::Gl {};
 
 namespace {
 Error noGles() {
-  return {
-      ErrorCode::unsupported,
-      "FrameInput.image: this build has no OpenGL ES (GLIDE_GLES=OFF), textures cannot be read"};
+  return {ErrorCode::unsupported,
+          "the image is a texture: this build has no OpenGL ES (GLIDE_GLES=OFF), and reads none"};
 }
 }  // namespace
 

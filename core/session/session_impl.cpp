@@ -51,7 +51,7 @@ Session::Impl::Impl(const Config& config, const CameraModel& camera, ChosenAlign
 Status Session::Impl::take(const FrameInput& input) {
   if (input.t_ns <= last_t_ns_)
     return Error{ErrorCode::out_of_order,
-                 "FrameInput.t_ns " + std::to_string(input.t_ns) +
+                 "the frame's t_ns " + std::to_string(input.t_ns) +
                      " does not increase (the frame before had " + std::to_string(last_t_ns_) +
                      ")"};
   if (is_paused_) return reader_.check(input.image);

@@ -90,6 +90,8 @@ vit_result vit_tracker::start() {
   if (!glide::validate(config_).ok()) return VIT_ERROR_INVALID_VALUE;
   velocity_.forget();
   auto sequence = std::make_shared<Sequence>();
+  sequence->width = config_.camera.width;
+  sequence->height = config_.camera.height;
   worker_ =
       std::make_unique<glide::Worker>("glide-vit", [this, sequence] { run(&sequence->frames); });
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -123,8 +125,8 @@ vit_result vit_tracker::pushImage(const vit_img_sample& sample) {
   if (sequence == nullptr) return VIT_ERROR_NOT_ENABLED;
   if (sample.cam_index > 0) return VIT_SUCCESS;  // monocular: other cameras are not looked at
   if (sample.timestamp <= sequence->last_image_ns) return VIT_ERROR_INVALID_VALUE;
-  const bool has_size = static_cast<int>(sample.width) == config_.camera.width &&
-                        static_cast<int>(sample.height) == config_.camera.height;
+  const bool has_size = static_cast<int>(sample.width) == sequence->width &&
+                        static_cast<int>(sample.height) == sequence->height;
   if (!has_size) return VIT_ERROR_INVALID_VALUE;
   std::optional<glide::ImageU8> luma = glide::toLuma(sample);
   if (!luma) return VIT_ERROR_INVALID_VALUE;

@@ -46,6 +46,7 @@ struct vit_tracker {
 
   /// What comes in from start() to stop(): times start over with the next one.
   struct Sequence {
+    int width = 0, height = 0;  ///< px, of its images
     FrameQueue frames{kWaitingImages};
     std::int64_t last_image_ns = INT64_MIN;  ///< of the thread that pushes images
     std::int64_t last_imu_ns = INT64_MIN;    ///< of the thread that pushes IMU samples

@@ -137,7 +137,7 @@ TEST_F(Textures, AreRefusedByNameAndTheSessionGoesOn) {
   const Texture good = app->texture(kUpperRowFirst);
   Texture wrong = good;
   wrong.name = 777;
-  EXPECT_THAT(session->update({1, wrong}).error().message, HasSubstr("FrameInput.image.name 777"));
+  EXPECT_THAT(session->update({1, wrong}).error().message, HasSubstr("the image's name 777"));
   EXPECT_EQ(session->update({1, HardwareBuffer{}}).error().code, ErrorCode::invalid_argument);
   EXPECT_TRUE(session->update({1, good}).ok());
 }
@@ -152,7 +152,7 @@ TEST_F(Textures, NeedAContext) {
   const Result<FrameResult> result = session->update({1, texture});
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, ErrorCode::missing_context);
-  EXPECT_THAT(result.error().message, HasSubstr("FrameInput.image is a texture"));
+  EXPECT_THAT(result.error().message, HasSubstr("the image is a texture"));
 }
 
 }  // namespace

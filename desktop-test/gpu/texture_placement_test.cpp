@@ -91,10 +91,10 @@ TEST(TexturePlacement, AcceptsAnyScaleThatKeepsTheAspect) {
 TEST(TexturePlacement, RefusesWhatIsNoTextureAndNamesIt) {
   Texture texture = textureOf(640, 480, kUpperRowFirst);
   texture.name = 0;
-  EXPECT_THAT(refusal(texture), HasSubstr("FrameInput.image.name"));
+  EXPECT_THAT(refusal(texture), HasSubstr("the image's name"));
   texture = textureOf(640, 480, kUpperRowFirst);
   texture.target = GL_TEXTURE_3D;
-  EXPECT_THAT(refusal(texture), HasSubstr("FrameInput.image.target"));
+  EXPECT_THAT(refusal(texture), HasSubstr("the image's target"));
   EXPECT_THAT(refusal(textureOf(640, 0, kUpperRowFirst)), HasSubstr("height"));
 }
 

@@ -219,10 +219,10 @@ TEST_F(CameraPictureTest, WhatIsNoPictureIsRefusedByName) {
   EXPECT_THAT(errorOf(Luma{bytes.data(), 0, kHeight, kWidth}).message, HasSubstr("no pixels"));
   EXPECT_THAT(errorOf(Rgb{bytes.data(), kWidth, kHeight, kWidth}).message,
               HasSubstr("picture.stride"));
-  EXPECT_THAT(errorOf(Texture{}).message, HasSubstr("picture.name is 0"));
+  EXPECT_THAT(errorOf(Texture{}).message, HasSubstr("picture's name is 0"));
   const Error missing = errorOf(Texture{4711, GL_TEXTURE_2D, kWidth, kHeight, kUpperRowFirst});
   EXPECT_EQ(missing.code, ErrorCode::invalid_argument);
-  EXPECT_THAT(missing.message, HasSubstr("picture.name 4711 is no texture"));
+  EXPECT_THAT(missing.message, HasSubstr("picture's name 4711 is no texture"));
 }
 
 TEST_F(CameraPictureTest, AViewportWithoutPixelsIsRefused) {

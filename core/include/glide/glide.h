@@ -11,7 +11,8 @@
  * pause, resume, reset and map_load take turns (docs/c-api.md: a table).
  * With the GLES backend update, release_gl and destroy need the app's GL context current, and the
  * thread of the first update owns the GL objects until glide_session_release_gl or _abandon_gl:
- * update elsewhere is GLIDE_ERROR_WRONG_THREAD. update never waits for mapping.
+ * update elsewhere is GLIDE_ERROR_WRONG_THREAD. update never waits for mapping, but does it itself
+ * with GLIDE_EXECUTION_INLINE.
  *
  * Handles that are null or were destroyed give GLIDE_ERROR_SESSION_CLOSED, null results
  * GLIDE_ERROR_INVALID_ARGUMENT. No C++ exception leaves the library.
@@ -20,8 +21,6 @@
  * written. Call with capacity 0 and a null array to ask. GLIDE_TRUNCATED when there are more. */
 
 #include "glide/glide_types.h"
-
-#include <string.h>
 
 #if defined(_WIN32)
 #define GLIDE_C_API
@@ -106,7 +105,8 @@ GLIDE_C_API glide_status glide_session_point_cloud(glide_session* session,
                                                    glide_point* points,
                                                    size_t* count);
 /* The landmarks that the last frame was tracked by, at the pixels where it sees them. Empty unless
- * it was tracked with the setting "tracked_points=on" (or "=indirect", by the indirect tracker). */
+ * it was tracked with the setting "tracked_points=on" (or "=indirect", by the indirect tracker),
+ * and for the frame that starts a map. */
 GLIDE_C_API glide_status glide_session_tracked_points(glide_session* session,
                                                       size_t capacity,
                                                       glide_tracked_point* points,

@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /* Version of this ABI. Another major number is another ABI; a higher minor number only adds. */
 #define GLIDE_ABI_MAJOR 1

@@ -250,6 +250,8 @@ std::vector<BadField> badFields() {
   add("fx", pinhole(), [](C& c) { c.fx = 0.0; });
   add("fy", pinhole(), [&](C& c) { c.fy = nan; });
   add("cx", pinhole(), [&](C& c) { c.cx = nan; });
+  add("cx", pinhole(), [&](C& c) { c.cx = 12.0 * c.width; });
+  add("cy", pinhole(), [&](C& c) { c.cy = -1.5 * c.height; });
   add("cy", pinhole(), [](C& c) { c.cy = std::numeric_limits<double>::infinity(); });
   add("coefficients", pinhole(), [](C& c) { c.coefficients = {0.1}; });
   add("coefficients", euroc(), [](C& c) { c.coefficients.resize(3); });
