@@ -39,7 +39,7 @@ class MappedScene {
         state(Config{}, cloud.camera()) {}
 
   /// Starts the map at steps 0 and 1 of the walk.
-  void start() { startMap(&state, tracker.start(cloud.look(walk(0)), cloud.look(walk(1)), 2.0)); }
+  void start() { startMap(&state, tracker.start(&cloud, walk(0), walk(1), 2.0)); }
 
   /// Inserts a keyframe without extending the map.
   KeyframeId insert(const SE3d& T_cam_world) {

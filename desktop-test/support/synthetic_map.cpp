@@ -101,7 +101,9 @@ SyntheticView SyntheticCloud::look(const SE3d& T_cam_world) {
     const bool is_missed = uniform(0.0, 1.0, &random_) < options_.missed_share;
     if (level < 0 || !uv || !tip || is_missed) continue;
     const double sigma = options_.noise_px * std::pow(kScaleFactor, level);
-    const Vec2d seen = *uv + Vec2d(gauss(sigma, &random_), gauss(sigma, &random_));
+    const double noise_v = gauss(sigma, &random_);  // not as arguments: their order is open
+    const double noise_u = gauss(sigma, &random_);
+    const Vec2d seen = *uv + Vec2d(noise_u, noise_v);
     if (!camera_.isInImage(seen, 1.0)) continue;
     Feature feature;
     feature.uv = seen.cast<float>();
@@ -140,6 +142,15 @@ InitialMap SyntheticTracker::start(const SyntheticView& a, const SyntheticView& 
         {scale * p_a, static_cast<int>(i), static_cast<int>(twin - b.points.begin())});
   }
   return message;
+}
+
+InitialMap SyntheticTracker::start(SyntheticCloud* cloud,
+                                   const SE3d& T_a_world,
+                                   const SE3d& T_b_world,
+                                   double scale) {
+  const SyntheticView a = cloud->look(T_a_world);
+  const SyntheticView b = cloud->look(T_b_world);
+  return start(a, b, scale);
 }
 
 NewKeyframe SyntheticTracker::track(const MapSnapshot& map,

@@ -77,6 +77,11 @@ class SyntheticTracker {
 
   /// The true pair in a map frame that is the first camera, scaled by `scale`.
   InitialMap start(const SyntheticView& a, const SyntheticView& b, double scale);
+  /// The same of what the cloud shows from two poses, looked at in this order.
+  InitialMap start(SyntheticCloud* cloud,
+                   const SE3d& T_a_world,
+                   const SE3d& T_b_world,
+                   double scale);
 
   /// The next keyframe, tracked against `map` relative to `reference`.
   NewKeyframe track(const MapSnapshot& map, const SyntheticView& view, KeyframeId reference);

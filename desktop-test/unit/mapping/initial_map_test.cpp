@@ -27,8 +27,7 @@ TEST(InitialMap, IsScaledToTheConfiguredMedianDepth) {
 
 TEST(InitialMap, KeepsTheFirstCameraWhereItIs) {
   MappedScene scene(smallCloud(), {});
-  InitialMap message =
-      scene.tracker.start(scene.cloud.look(walk(0)), scene.cloud.look(walk(1)), 2.0);
+  InitialMap message = scene.tracker.start(&scene.cloud, walk(0), walk(1), 2.0);
   const SE3d T_old_new{so3Exp(Vec3d(0.1, 0.2, 0.3)), Vec3d(1.0, 2.0, 3.0)};  // another world frame
   message.a.T_cam_world = message.a.T_cam_world * T_old_new;
   message.b.T_cam_world = message.b.T_cam_world * T_old_new;
@@ -43,8 +42,7 @@ TEST(InitialMap, KeepsTheFirstCameraWhereItIs) {
 
 TEST(InitialMap, DropsPointsThatDoNotFit) {
   MappedScene scene(smallCloud(), {});
-  InitialMap message =
-      scene.tracker.start(scene.cloud.look(walk(0)), scene.cloud.look(walk(2)), 2.0);
+  InitialMap message = scene.tracker.start(&scene.cloud, walk(0), walk(2), 2.0);
   const std::size_t all = message.points.size();
   for (std::size_t i = 0; i + 10 < all; i += 10) {  // every tenth: the match of another point
     std::swap(message.points[i].feature_b, message.points[i + 5].feature_b);
@@ -58,8 +56,7 @@ TEST(InitialMap, DropsPointsThatDoNotFit) {
 
 TEST(InitialMap, RefusesAPairThatIsNoGeometry) {
   MappedScene scene(smallCloud(), {});
-  InitialMap message =
-      scene.tracker.start(scene.cloud.look(walk(0)), scene.cloud.look(walk(2)), 2.0);
+  InitialMap message = scene.tracker.start(&scene.cloud, walk(0), walk(2), 2.0);
   std::mt19937_64 random(5);
   std::shuffle(message.points.begin(), message.points.end(), random);
   std::vector<int> features_b;

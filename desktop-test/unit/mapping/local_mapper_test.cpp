@@ -27,7 +27,7 @@ class MappedWalk {
         mapper_(Config{}, cloud_.camera(), &published_) {}
 
   void start() {
-    mapper_.process(tracker_.start(cloud_.look(walk(0)), cloud_.look(walk(1)), 3.0), nullptr);
+    mapper_.process(tracker_.start(&cloud_, walk(0), walk(1), 3.0), nullptr);
     at_ = 1.0;
   }
   void advance(int steps, double step_length, const std::atomic<bool>* interrupt) {

@@ -48,7 +48,7 @@ class DriftingWalk {
         mapper_(narrowWindow(), cloud_.camera(), &published_) {
     truth_[KeyframeId{0}] = stride(0);
     truth_[KeyframeId{1}] = stride(1);
-    mapper_.process(tracker_.start(cloud_.look(stride(0)), cloud_.look(stride(1)), 2.0), nullptr);
+    mapper_.process(tracker_.start(&cloud_, stride(0), stride(1), 2.0), nullptr);
     advance(kDriftingKeyframes - 2);
   }
 

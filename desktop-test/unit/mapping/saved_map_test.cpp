@@ -25,7 +25,7 @@ class SavedMap : public testing::Test {
         tracker_(&cloud_, SyntheticTracker::Options{}),
         published_(std::make_shared<const MapSnapshot>()),
         mapper_(Config{}, cloud_.camera(), &published_) {
-    mapper_.process(tracker_.start(cloud_.look(walk(0)), cloud_.look(walk(1)), 2.0), nullptr);
+    mapper_.process(tracker_.start(&cloud_, walk(0), walk(1), 2.0), nullptr);
     for (int i = 2; i < 12; ++i) {
       const KeyframeId newest = published_.load()->keyframes().back().id;
       mapper_.process(tracker_.track(*published_.load(), cloud_.look(walk(0.6 * i)), newest),

@@ -23,13 +23,12 @@ class BackEndTest : public testing::TestWithParam<Execution> {
     config_.execution = GetParam();
   }
 
-  SyntheticView viewAt(int step) {
-    return cloud_.look(lookAlong(Vec3d(0.25 * step, 0.0, 0.0), 0.0));
-  }
+  static SE3d poseAt(int step) { return lookAlong(Vec3d(0.25 * step, 0.0, 0.0), 0.0); }
+  SyntheticView viewAt(int step) { return cloud_.look(poseAt(step)); }
 
   /// A map of `keyframes` views.
   void map(BackEnd* back_end, int keyframes) {
-    back_end->send(tracker_.start(viewAt(0), viewAt(1), 1.0));
+    back_end->send(tracker_.start(&cloud_, poseAt(0), poseAt(1), 1.0));
     back_end->waitIdle();
     for (int i = 2; i < keyframes; ++i) {
       const auto snapshot = back_end->snapshot();
@@ -46,7 +45,7 @@ class BackEndTest : public testing::TestWithParam<Execution> {
 
 TEST_P(BackEndTest, PublishesAnEmptyMapOfANewGenerationWhenAStartIsNoGeometry) {
   BackEnd back_end(config_, camera_);
-  InitialMap start = tracker_.start(viewAt(0), viewAt(2), 1.0);
+  InitialMap start = tracker_.start(&cloud_, poseAt(0), poseAt(2), 1.0);
   for (std::size_t i = 0; i + 1 < start.points.size(); i += 2) {
     std::swap(start.points[i].feature_b, start.points[i + 1].feature_b);
     start.points[i].p_world = start.points[i + 1].p_world = Vec3d(0.0, 0.0, 1.0);
@@ -84,7 +83,7 @@ TEST_P(BackEndTest, EndsWhileMessagesWait) {
   for (int rounds = 0; rounds < 3; ++rounds) {
     BackEnd back_end(config_, camera_);
     SyntheticTracker tracker(&cloud_, SyntheticTracker::Options{});
-    back_end.send(tracker.start(viewAt(0), viewAt(1), 1.0));
+    back_end.send(tracker.start(&cloud_, poseAt(0), poseAt(1), 1.0));
     for (int i = 0; i < rounds; ++i) back_end.send(ClearMap{});
     back_end.ask({1, viewAt(3).features});
   }
