@@ -3,8 +3,8 @@
 # Kotlin of the documents, and tests it under Robolectric. Skips (77) where JDK 17, Maven or, the first time, its repository
 # (270 MB) is missing; under CI that is a failure. GLIDE_SKIP_ANDROID=1 skips in any case.
 set -euo pipefail
-build="$1"
-source="$2"
+build="$(realpath "$1")"
+source="$(realpath "$2")"
 name=android_java_test
 project="$source/desktop-test/android_java"
 out="$build/android_java"

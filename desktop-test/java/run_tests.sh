@@ -2,8 +2,8 @@
 # run_tests.sh BUILD SOURCE [MAVEN ARGUMENTS]: the tests of the Java API, with the JVM's checks of JNI on. Skips (77) where
 # JDK 17, Maven or, the first time, Maven's repository is missing; under CI that is a failure.
 set -euo pipefail
-build="$1"
-source="$2"
+build="$(realpath "$1")"
+source="$(realpath "$2")"
 shift 2
 name=java_test
 project="$source/desktop-test/java"
