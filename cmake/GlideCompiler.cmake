@@ -37,10 +37,11 @@ if(GLIDE_SANITIZE)
   target_compile_options(glide_flags INTERFACE -fsanitize=${GLIDE_SANITIZE} -fno-omit-frame-pointer -g1 -O1)
   target_link_options(glide_flags INTERFACE -fsanitize=${GLIDE_SANITIZE})
 endif()
-# What a shared library needs must be there when it is linked; clang's sanitizers, though, are in the program alone.
-set(glide_no_undefined -Wl,--no-undefined)
-if(GLIDE_SANITIZE AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-  set(glide_no_undefined)
+# Our shared libraries carry no dead code and show nothing of what they are linked from. What they need must be there when
+# they are linked; clang's sanitizers, though, are in the program alone.
+set(glide_shared_link_options -Wl,--gc-sections -Wl,--exclude-libs,ALL)
+if(NOT (GLIDE_SANITIZE AND CMAKE_CXX_COMPILER_ID MATCHES "Clang"))
+  list(APPEND glide_shared_link_options -Wl,--no-undefined)
 endif()
 if(GLIDE_FUZZ)
   # Coverage for the fuzzer; and what the sanitizers find ends the program.

@@ -2,7 +2,7 @@
 
 #include "geometry/pose_conversion.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace glide {
 namespace {

@@ -2,13 +2,10 @@
 
 #include "geometry/pose_conversion.h"
 
-#include "glide/frame_map.h"
-
 #include <algorithm>
 #include <utility>
 
 namespace glide {
-
 namespace {
 
 MapView::Keyframe viewOf(const MapSnapshot::KeyframeEntry& keyframe) {
